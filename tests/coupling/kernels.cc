@@ -1,0 +1,102 @@
+// Which moment conditions each kernel has on a lattice of spacing 1, for any
+// position r: the zeroth and first one, the even-odd condition of Peskin (2002)
+// (both halves of a chequered lattice weigh 1/2) and the sum of squares.
+
+#include <caudal/coupling/kernel.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+
+using namespace caudal;
+
+// The largest deviation of sum_j term(r - j) from its value at r = 0
+double deviation(const std::function<double(double, int)> &term, double &at_zero)
+{
+  const auto sum = [&](const double r) {
+    double s = 0.;
+    for (int j = -8; j <= 8; ++j)
+      s += term(r - j, j);
+    return s;
+  };
+  at_zero      = sum(0.);
+  double worst = 0.;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    worst = std::max(worst, std::abs(sum(i * 1e-3) - at_zero));
+  return worst;
+}
+
+void check(const std::string &name, const DeltaKernel &kernel)
+{
+  const auto phi = [&](const double r) { return kernel.value(r); };
+  double     zeroth, first, even, squares;
+  const bool has_zeroth = deviation([&](double r, int) { return phi(r); }, zeroth) < 1e-12;
+  const bool has_first  = deviation([&](double r, int) { return r * phi(r); }, first) < 1e-12;
+  const bool has_even =
+      deviation([&](double r, int j) { return j % 2 == 0 ? phi(r) : 0.; }, even) < 1e-12;
+  const bool has_squares =
+      deviation([&](double r, int) { return phi(r) * phi(r); }, squares) < 1e-12;
+
+  double integral = 0., jump = 0., asymmetry = 0., smallest = 0.;
+  for (int i = -4000; i < 4000; ++i)
+  {
+    const double r = (i + 0.5) * 1e-3;
+    integral += 1e-3 * phi(r);
+    jump      = std::max(jump, std::abs(phi(r + 5e-4 + 1e-9) - phi(r + 5e-4 - 1e-9)));
+    asymmetry = std::max(asymmetry, std::abs(phi(r) - phi(-r)));
+    smallest  = std::min(smallest, phi(r));
+  }
+  const double outside = std::abs(phi(kernel.radius())) + std::abs(phi(kernel.radius() + 0.3));
+
+  const auto yes = [](const bool condition) { return condition ? "  yes" : "   no"; };
+  std::cout << std::left << std::setw(30) << name << std::right << std::setw(5) << kernel.radius()
+            << yes(has_zeroth && std::abs(zeroth - 1.) < 1e-12)
+            << yes(has_first && std::abs(first) < 1e-12)
+            << yes(has_even && std::abs(even - 0.5) < 1e-12) << yes(has_squares) << std::setw(9)
+            << std::setprecision(4) << squares << yes(std::abs(integral - 1.) < 1e-5)
+            << yes(jump < 1e-3 && asymmetry < 1e-14 && outside == 0. && smallest == 0.)
+            << std::setw(9) << phi(0.) << std::endl;
+}
+
+int main()
+{
+  std::cout << "kernel, radius, zeroth moment, first moment, even-odd, constant sum of squares "
+               "(its value at 0), integral 1, even and continuous and not negative, value at 0"
+            << std::endl;
+  for (const auto &name : dealii::Utilities::split_string_list(get_kernel_names(), '|'))
+  {
+    const KernelPair pair = create_kernel(name);
+    if (pair.is_dirac)
+      std::cout << name << ": radius " << pair.radius() << std::endl;
+    else if (pair.isotropic)
+      check(name, pair.get(0, 1));
+    else
+    {
+      check(name + ", along", pair.get(1, 1));
+      check(name + ", across", pair.get(1, 0));
+
+      // The identity behind the divergence-free interpolation
+      double worst = 0.;
+      for (double r = -3.; r < 3.; r += 0.0137)
+      {
+        const double slope = (pair.along->value(r + 1e-5) - pair.along->value(r - 1e-5)) / 2e-5;
+        worst              = std::max(
+                         worst, std::abs(slope - pair.across->value(r + 0.5) + pair.across->value(r - 0.5)));
+      }
+      std::cout << "  slope along is the difference across: " << (worst < 1e-4 ? "yes" : "no")
+                << std::endl;
+    }
+  }
+
+  try
+  {
+    create_kernel("five-point");
+  }
+  catch (const dealii::ExceptionBase &exception)
+  {
+    exception.print_info(std::cout);
+  }
+}

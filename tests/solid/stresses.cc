@@ -1,0 +1,133 @@
+// Every material: P against differences of the energy, the tangent against
+// differences of P, its major symmetry, objectivity, and no stress in a rotation.
+
+#include <caudal/solid/stress.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace caudal;
+
+template <int dim>
+Tensor<2, dim> rotation()
+{
+  Tensor<2, dim> Q = unit_symmetric_tensor<dim>();
+  Q[0][0] = Q[1][1] = std::cos(0.7);
+  Q[0][1]           = -std::sin(0.7);
+  Q[1][0]           = std::sin(0.7);
+  if (dim == 3)
+  {
+    Tensor<2, dim> R    = unit_symmetric_tensor<dim>();
+    R[dim - 1][dim - 1] = R[1][1] = std::cos(0.4);
+    R[1][dim - 1]                 = -std::sin(0.4);
+    R[dim - 1][1]                 = std::sin(0.4);
+    Q                             = Q * R;
+  }
+  return Q;
+}
+
+std::string ok(const double error, const double tolerance)
+{
+  return error < tolerance ? "ok" : "bad (" + std::to_string(error) + ")";
+}
+
+template <int dim>
+void check(const std::string &name, const double kappa)
+{
+  MaterialParameters parameters;
+  parameters.material                 = name;
+  parameters.youngs_modulus           = 3.;
+  parameters.poisson_ratio            = 0.3;
+  parameters.volumetric_stabilisation = kappa;
+  const auto model                    = create_stress_model<dim>(parameters);
+
+  Tensor<2, dim> F = unit_symmetric_tensor<dim>();
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int J = 0; J < dim; ++J)
+      F[i][J] += 0.3 * std::sin(1. + 3. * i + 2. * J);
+
+  const double         step         = 1e-5;
+  const Tensor<2, dim> P            = model->first_piola_kirchhoff_stress(F);
+  const Tensor<4, dim> C            = model->tangent(F);
+  double               stress_error = 0., tangent_error = 0., asymmetry = 0.;
+  for (unsigned int k = 0; k < dim; ++k)
+    for (unsigned int L = 0; L < dim; ++L)
+    {
+      Tensor<2, dim> plus = F, minus = F;
+      plus[k][L] += step;
+      minus[k][L] -= step;
+      stress_error = std::max(
+          stress_error,
+          std::abs((model->strain_energy(plus) - model->strain_energy(minus)) / (2. * step) -
+                   P[k][L]));
+      const Tensor<2, dim> slope =
+          (model->first_piola_kirchhoff_stress(plus) - model->first_piola_kirchhoff_stress(minus)) /
+          (2. * step);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int J = 0; J < dim; ++J)
+        {
+          tangent_error = std::max(tangent_error, std::abs(slope[i][J] - C[i][J][k][L]));
+          asymmetry     = std::max(asymmetry, std::abs(C[i][J][k][L] - C[k][L][i][J]));
+        }
+    }
+
+  const Tensor<2, dim> Q = rotation<dim>();
+  std::cout << dim << "D " << name << (kappa > 0. ? ", stabilised" : "")
+            << ": W = " << model->strain_energy(F) << ", |P| = " << P.norm()
+            << ", |C| = " << C.norm() << "\n  stress " << ok(stress_error, 1e-8) << ", tangent "
+            << ok(tangent_error, 1e-8) << ", symmetry " << ok(asymmetry, 1e-12) << ", objectivity "
+            << ok(std::abs(model->strain_energy(Q * F) - model->strain_energy(F)), 1e-12)
+            << ", rotation "
+            << ok(model->first_piola_kirchhoff_stress(Q).norm() + std::abs(model->strain_energy(Q)),
+                  1e-12)
+            << std::endl;
+}
+
+template <class Action>
+void expect_sentence(const Action &action)
+{
+  try
+  {
+    action();
+    std::cout << "no complaint" << std::endl;
+  }
+  catch (const ExceptionBase &exception)
+  {
+    exception.print_info(std::cout);
+  }
+}
+
+int main()
+{
+  for (const std::string name :
+       {"none", "neo-Hookean", "modified neo-Hookean", "St. Venant-Kirchhoff"})
+    for (const double kappa : {0., 2.})
+    {
+      check<2>(name, kappa);
+      check<3>(name, kappa);
+    }
+
+  MaterialParameters steel;
+  steel.material      = "St. Venant-Kirchhoff";
+  steel.shear_modulus = 2e6;
+  steel.poisson_ratio = 0.4;
+  std::cout << "Turek's beam: mu = " << steel.get_shear_modulus()
+            << ", lambda = " << steel.get_lame_modulus() << std::endl;
+
+  expect_sentence([&] {
+    steel.poisson_ratio = 0.5;
+    steel.check("Body beam/Region flag");
+  });
+  expect_sentence([&] {
+    steel.shear_modulus = -1.;
+    steel.check("Body beam/Region flag");
+  });
+  expect_sentence([] {
+    Tensor<2, 2> inverted;
+    inverted[0][0] = -1.;
+    inverted[1][1] = 0.5;
+    create_stress_model<2>(MaterialParameters())->strain_energy(inverted);
+  });
+}
