@@ -1,0 +1,58 @@
+#ifndef caudal_io_statistics_h
+#define caudal_io_statistics_h
+
+#include <deal.II/base/exceptions.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace caudal
+{
+  /**
+   * A table with a row per time step and a column per quantity, as a text file
+   * for gnuplot, numpy.loadtxt and the eye: headers "# n: name [unit]", then
+   * rows of numbers with ten significant digits, each row flushed.
+   *
+   * The first row decides which columns there are and their order. The first
+   * quantity that is set has to be the time.
+   */
+  class Statistics
+  {
+  public:
+    DeclException1(ExcColumn, std::string,
+                   << "The statistics' column <" << arg1
+                   << "> is missing in this row, is set twice in it, or was not in the first row.");
+
+    /** Empties @p file. Without a name (on all ranks but 0) nothing is written. */
+    explicit Statistics(const std::string &file);
+
+    /** Keeps the rows of an earlier run up to @p time [s]; new ones are appended. */
+    Statistics(const std::string &file, double time);
+
+    /** The value of a quantity in the coming row. A value that is not finite throws. */
+    void set(const std::string &name, const std::string &unit, double value);
+
+    void write_row();
+
+  private:
+    struct Column
+    {
+      std::string header; // name [unit]
+      double      value;
+      bool        is_set;
+    };
+
+    void read_rows(double time, std::string &rows);
+    void open(const std::string &text);
+    void write_headers();
+
+    const std::string   file_name;
+    std::ofstream       file;
+    std::vector<Column> columns;
+    std::size_t         next              = 0; // the column that is probably set next
+    bool                columns_are_fixed = false;
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,189 @@
+#include <caudal/io/field_output.h>
+#include <caudal/io/on_root.h>
+
+#include <deal.II/grid/reference_cell.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    // The lists are read back when a run is resumed. In front of each entry
+    // stands a comment with its time and name, so that no parser is needed.
+    const std::string entry_begins = "<!-- entry ";
+    const std::string entry_ends   = "<!-- end -->";
+
+    /** Writes the data and returns their entry in the list. Collective. */
+    template <int dim>
+    std::string write_vtu(DataOutInterface<dim> &data_out, const std::string &folder,
+                          const std::string &file, const std::string &name, const double time,
+                          const unsigned int counter, const MPI_Comm communicator)
+    {
+      DataOutBase::VtkFlags flags;
+      flags.time                = time;
+      flags.cycle               = counter;
+      flags.print_date_and_time = false; // equal runs give equal files
+      flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+      data_out.set_flags(flags);
+      data_out.write_vtu_in_parallel(folder + "/" + file, communicator);
+
+      std::ostringstream entry;
+      entry.precision(12);
+      entry << "<DataSet timestep=\"" << time << "\" name=\"" << name << "\" file=\"" << file
+            << "\"/>\n";
+      return entry.str();
+    }
+
+    /** The same for the other format. */
+    template <int dim>
+    std::string write_hdf5(const DataOutInterface<dim> &data_out, const std::string &folder,
+                           const std::string &file, const std::string &name, const double time,
+                           const MPI_Comm communicator)
+    {
+      // Points of one place stay apart: pressure and cell-wise data jump there.
+      DataOutBase::DataOutFilter filter(DataOutBase::DataOutFilterFlags(false, true));
+      data_out.write_filtered_data(filter);
+      data_out.write_hdf5_parallel(filter, folder + "/" + file, communicator);
+
+      std::string entry = data_out.create_xdmf_entry(filter, file, time, communicator)
+                              .get_xdmf_content(0, ReferenceCells::get_hypercube<dim>());
+      if (const auto position = entry.find("\"mesh\""); position != std::string::npos)
+        entry.replace(position, 6, "\"" + name + "\""); // the block's name
+      return entry;
+    }
+  } // namespace
+
+  void OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter("Folder", folder,
+                      "Folder of the results. It is created; results of an earlier run of Caudal "
+                      "in it are removed, a folder with other files is refused.");
+    prm.add_parameter("Interval of fields", field_interval,
+                      "Simulated time between two outputs of the fields [s]; 0: every step.");
+    prm.add_parameter("Interval of statistics", statistics_interval,
+                      "Steps between two rows of statistics.txt [1].", Patterns::Integer(1));
+    prm.add_parameter("Format", format,
+                      "File format of the fields. vtu: open solution.pvd in ParaView; "
+                      "hdf5: open solution.xdmf.",
+                      Patterns::Selection("vtu|hdf5"));
+    prm.add_parameter("Subdivisions", n_subdivisions,
+                      "Each cell is drawn as this many cells in each direction [1].",
+                      Patterns::Integer(1, 8));
+    prm.leave_subsection();
+  }
+
+  void OutputParameters::check() const
+  {
+    AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
+    AssertThrow(std::isfinite(field_interval) && field_interval >= 0,
+                ExcMessage("Output/Interval of fields: the interval is " +
+                           std::to_string(field_interval) +
+                           " s. Give a positive time, or 0 for every step."));
+  }
+
+  FieldFormat OutputParameters::get_format() const
+  {
+    return format == "hdf5" ? FieldFormat::hdf5 : FieldFormat::vtu;
+  }
+
+  FieldOutput::FieldOutput(const std::string &folder, const FieldFormat format,
+                           const MPI_Comm communicator, const double resume_time)
+      : folder(folder)
+      , format(format)
+      , communicator(communicator)
+  {
+    run_on_root(communicator, [&]() {
+      std::filesystem::create_directories(folder + "/fields");
+      read_list(resume_time);
+    });
+  }
+
+  template <int dim>
+  void FieldOutput::write(DataOutInterface<dim> &data_out, const std::string &name,
+                          const double time, const unsigned int counter,
+                          const MPI_Comm field_communicator)
+  {
+    std::string entry;
+    const auto  write_data = [&]() {
+      const std::string file = "fields/" + name + "-" + Utilities::int_to_string(counter, 5);
+      entry =
+          format == FieldFormat::vtu
+               ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
+               : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
+    };
+    if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
+      run_on_root(communicator, write_data);
+    else
+      write_data();
+
+    run_on_root(communicator, [&]() {
+      series[time][name] = entry;
+      write_list();
+    });
+  }
+
+  std::string FieldOutput::get_list_name() const
+  {
+    return folder + (format == FieldFormat::vtu ? "/solution.pvd" : "/solution.xdmf");
+  }
+
+  void FieldOutput::read_list(const double latest_time)
+  {
+    std::ifstream file(get_list_name());
+    std::string  *entry = nullptr;
+    for (std::string line; std::getline(file, line);)
+    {
+      if (line.rfind(entry_begins, 0) == 0)
+      {
+        std::istringstream words(line.substr(entry_begins.size()));
+        double             time;
+        std::string        name;
+        words >> time >> name;
+        entry = time <= latest_time + 1e-9 * std::abs(latest_time) ? &series[time][name] : nullptr;
+      }
+      else if (line == entry_ends)
+        entry = nullptr;
+      else if (entry != nullptr)
+        *entry += line + "\n";
+    }
+  }
+
+  void FieldOutput::write_list() const
+  {
+    const std::string temporary = get_list_name() + ".tmp";
+    std::ofstream     out(temporary);
+    out.precision(12);
+    const bool is_vtu = format == FieldFormat::vtu;
+    out << "<?xml version=\"1.0\"?>\n"
+        << (is_vtu
+                ? "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n"
+                : "<Xdmf Version=\"2.0\">\n<Domain>\n"
+                  "<Grid Name=\"Caudal\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+    for (const auto &[time, entries] : series)
+    {
+      if (!is_vtu)
+        out << "<Grid Name=\"fields\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+            << "<Time Value=\"" << time << "\"/>\n";
+      for (const auto &[name, entry] : entries)
+        out << entry_begins << time << ' ' << name << " -->\n" << entry << entry_ends << '\n';
+      if (!is_vtu)
+        out << "</Grid>\n";
+    }
+    out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
+    out.close();
+    AssertThrow(out, ExcMessage("The list of fields <" + temporary + "> can't be written."));
+    std::filesystem::rename(temporary, get_list_name());
+  }
+
+  template void FieldOutput::write<2>(DataOutInterface<2> &, const std::string &, double,
+                                      unsigned int, MPI_Comm);
+  template void FieldOutput::write<3>(DataOutInterface<3> &, const std::string &, double,
+                                      unsigned int, MPI_Comm);
+} // namespace caudal

@@ -1,0 +1,116 @@
+#include <caudal/io/statistics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    const unsigned int n_digits = 10;
+    const unsigned int width    = n_digits + 8;
+  } // namespace
+
+  Statistics::Statistics(const std::string &file)
+      : file_name(file)
+  {
+    open("");
+  }
+
+  Statistics::Statistics(const std::string &file, const double time)
+      : file_name(file)
+  {
+    std::string rows;
+    read_rows(time, rows);
+    open(rows);
+  }
+
+  void Statistics::read_rows(const double time, std::string &rows)
+  {
+    // A row counts as one up to the time even if its ten digits round it up.
+    const double  latest = time + 1e-9 * std::abs(time);
+    std::ifstream old(file_name);
+    for (std::string line; std::getline(old, line);)
+    {
+      if (line.rfind("# ", 0) == 0)
+        columns.push_back({line.substr(line.find(": ") + 2), 0., false});
+      else if (!(std::stod(line) <= latest))
+        break;
+      rows += line + "\n";
+    }
+    columns_are_fixed = !columns.empty();
+  }
+
+  void Statistics::open(const std::string &text)
+  {
+    if (file_name.empty())
+      return;
+    file.open(file_name);
+    file << text << std::flush << std::scientific << std::setprecision(n_digits - 1);
+    AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
+  }
+
+  void Statistics::set(const std::string &name, const std::string &unit, const double value)
+  {
+    if (!std::isfinite(value))
+    {
+      std::ostringstream message;
+      message << "The statistics' column <" << name << "> is " << value;
+      if (!columns.empty() && columns[0].is_set)
+        message << " at " << columns[0].header << " = " << columns[0].value;
+      message << ". The solution broke down at or before this time.";
+      AssertThrow(false, ExcMessage(message.str()));
+    }
+
+    const std::string header     = name + " [" + unit + "]";
+    const auto        has_header = [&](const Column &column) { return column.header == header; };
+    if (!columns_are_fixed)
+    {
+      AssertThrow(std::none_of(columns.begin(), columns.end(), has_header), ExcColumn(header));
+      columns.push_back({header, value, true});
+      return;
+    }
+
+    // Quantities are set in the same order in all rows, or nearly so.
+    auto column = columns.begin() + (next < columns.size() ? next : 0);
+    if (!has_header(*column))
+      column = std::find_if(columns.begin(), columns.end(), has_header);
+    AssertThrow(column != columns.end() && !column->is_set, ExcColumn(header));
+    column->value  = value;
+    column->is_set = true;
+    next           = column - columns.begin() + 1;
+  }
+
+  void Statistics::write_row()
+  {
+    for (const Column &column : columns)
+      AssertThrow(column.is_set, ExcColumn(column.header));
+    if (!columns_are_fixed)
+      write_headers();
+
+    for (Column &column : columns)
+    {
+      if (file.is_open())
+        file << std::setw(width) << column.value;
+      column.is_set = false;
+    }
+    next = 0;
+    if (file.is_open())
+    {
+      file << std::endl;
+      AssertThrow(file, ExcMessage("The statistics file <" + file_name +
+                                   "> can't be written any more. Is the disk full?"));
+    }
+  }
+
+  void Statistics::write_headers()
+  {
+    columns_are_fixed = true;
+    for (std::size_t i = 0; i < columns.size() && file.is_open(); ++i)
+      file << "# " << i + 1 << ": " << columns[i].header << '\n';
+  }
+} // namespace caudal

@@ -1,0 +1,72 @@
+// Tail beats of synthetic signals with known period, amplitude, speed and power.
+
+#include <caudal/io/swim_report.h>
+
+#include <boost/archive/text_iarchive.hpp>
+#include <boost/archive/text_oarchive.hpp>
+
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+using namespace caudal;
+
+namespace
+{
+  using Signal = std::function<double(double)>;
+
+  void print_cycles(const std::string &title, const Signal &signal, const double end)
+  {
+    std::cout << title << ":\n" << std::fixed << std::setprecision(3);
+    TailCycleDetector detector(0.005);
+    for (unsigned int i = 0; 0.002 * i < end; ++i)
+      if (const auto cycle = detector.add(0.002 * i, signal(0.002 * i)))
+        std::cout << "  start " << cycle->start << " end " << cycle->end << " amplitude "
+                  << cycle->amplitude << '\n';
+  }
+
+  void swim(SwimReport &report, const double begin, const double end)
+  {
+    // Speed 2 (1 - exp(-3 t)), power 50 (1 + cos(4 pi t / T)): 50 on average.
+    const double T = 0.4;
+    for (unsigned int i = std::lround(begin / 0.004); 0.004 * i < end - 1e-9; ++i)
+    {
+      const double t = 0.004 * i;
+      report.add({t, -0.1 * std::sin(2 * M_PI * t / T), 2 * (t + (std::exp(-3 * t) - 1) / 3),
+                  50 * (t + T / (4 * M_PI) * std::sin(4 * M_PI * t / T))});
+    }
+  }
+} // namespace
+
+int main()
+{
+  const double omega = 2 * M_PI / 0.4;
+  print_cycles(
+      "Sine, up first", [&](double t) { return 0.1 * std::sin(omega * t); }, 1.4);
+  print_cycles(
+      "Sine, down first", [&](double t) { return -0.1 * std::sin(omega * t); }, 1.4);
+  print_cycles(
+      "Drifting sideways", [&](double t) { return 0.05 * t + 0.1 * std::sin(omega * t); }, 1.4);
+  print_cycles(
+      "With ripples",
+      [&](double t) { return 0.1 * std::sin(omega * t) + 0.01 * std::sin(9 * omega * t); }, 1.4);
+  print_cycles(
+      "Noise only", [&](double t) { return 0.002 * std::sin(omega * t); }, 1.4);
+
+  const SwimmerConstants fish{"fish", 1., 80., 1e-6};
+  SwimReport             report(fish, std::cout, "");
+  swim(report, 0., 1.6);
+
+  // Half of the way: the rest is reported by a resumed run.
+  std::stringstream archive;
+  boost::archive::text_oarchive(archive) << report;
+  SwimReport resumed(fish, std::cout, "");
+  {
+    boost::archive::text_iarchive in(archive);
+    in >> resumed;
+  }
+  swim(resumed, 1.6, 3.5);
+  resumed.finish();
+}
