@@ -1,0 +1,37 @@
+#ifndef caudal_base_command_line_h
+#define caudal_base_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace caudal
+{
+  /** What the program was asked to do. */
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      check,
+      help,
+      version,
+      print_parameters
+    };
+
+    Action                   action = Action::run;
+    std::string              file;           // empty if the action needs none
+    std::vector<std::string> overrides;      // "Section/Entry=value"
+    std::string              format = "prm"; // of print_parameters: "prm" or "md"
+  };
+
+  /** Throws a sentence for anything that is not described by get_help(). */
+  CommandLine parse_command_line(int argc, const char *const *argv);
+
+  /** How to call the program. */
+  std::string get_help();
+
+  /** The program's name and version. */
+  std::string get_version();
+} // namespace caudal
+
+#endif

@@ -1,0 +1,92 @@
+#include <caudal/base/command_line.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace caudal
+{
+  namespace
+  {
+    const std::string remedy = " <caudal --help> shows what is possible.";
+
+    void choose(CommandLine &line, const CommandLine::Action action)
+    {
+      AssertThrow(line.action == CommandLine::Action::run || line.action == action,
+                  dealii::ExcMessage("Of --check, --help, --version and --print-parameters only "
+                                     "one can be given." +
+                                     remedy));
+      line.action = action;
+    }
+  } // namespace
+
+  CommandLine parse_command_line(const int argc, const char *const *const argv)
+  {
+    using Action = CommandLine::Action;
+    using dealii::ExcMessage;
+
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    CommandLine                    line;
+
+    for (auto argument = arguments.begin(); argument != arguments.end(); ++argument)
+    {
+      const bool        is_last = argument + 1 == arguments.end();
+      const std::string next    = is_last ? "" : *(argument + 1);
+
+      if (*argument == "--help" || *argument == "-h")
+        choose(line, Action::help);
+      else if (*argument == "--version")
+        choose(line, Action::version);
+      else if (*argument == "--check")
+        choose(line, Action::check);
+      else if (*argument == "--print-parameters")
+      {
+        choose(line, Action::print_parameters);
+        if (next == "prm" || next == "md")
+          line.format = *++argument;
+      }
+      else if (argument->compare(0, 2, "-D") == 0)
+      {
+        const bool is_attached = argument->size() > 2;
+        AssertThrow(is_attached || !is_last,
+                    ExcMessage("-D is not followed by <Section/Entry=value>." + remedy));
+        line.overrides.push_back(is_attached ? argument->substr(2) : *++argument);
+      }
+      else
+      {
+        AssertThrow(argument->empty() || argument->front() != '-',
+                    ExcMessage("The option <" + *argument + "> is unknown." + remedy));
+        AssertThrow(line.file.empty(), ExcMessage("There are two parameter files, <" + line.file +
+                                                  "> and <" + *argument + ">. Give one." + remedy));
+        line.file = *argument;
+      }
+    }
+
+    const bool needs_file = line.action == Action::run || line.action == Action::check;
+    AssertThrow(!needs_file || !line.file.empty(),
+                ExcMessage("There is no parameter file on the command line." + remedy));
+    return line;
+  }
+
+  std::string get_help()
+  {
+    return get_version() +
+           ": self-propelled swimming by finite elements and immersed boundaries.\n"
+           "\n"
+           "  caudal file.prm             run the case\n"
+           "  caudal --check file.prm     check the case and show its size, without running it\n"
+           "  caudal --print-parameters [prm|md] [file.prm]\n"
+           "                              show all parameters (those of the case) with their\n"
+           "                              defaults, as a parameter file or as Markdown\n"
+           "  caudal --version            show the version\n"
+           "  caudal --help               show this\n"
+           "\n"
+           "  -D \"Section/Entry=value\"    set a parameter after reading the file; repeatable\n"
+           "\n"
+           "Several ranks: mpirun -np N caudal file.prm.\n"
+           "Exit codes: 0 finished, 1 error, 2 stopped on request with a checkpoint.\n";
+  }
+
+  std::string get_version()
+  {
+    return "Caudal " CAUDAL_VERSION;
+  }
+} // namespace caudal
