@@ -1,0 +1,54 @@
+#ifndef caudal_base_direct_solver_h
+#define caudal_base_direct_solver_h
+
+#include <caudal/base/types.h>
+
+#include <memory>
+#include <vector>
+
+namespace caudal
+{
+  /**
+   * Distributed sparse direct solver: a thin layer over MUMPS (Amestoy et al.
+   * 2001, doi:10.1137/S0895479899358194) that takes the matrix as triplets, so
+   * that a matrix composed of several operators never has to be put together.
+   * Every member function is collective over the communicator.
+   */
+  class DirectSolver
+  {
+  public:
+    enum class Symmetry
+    {
+      general,
+      /** Only entries on and above the diagonal are read. */
+      symmetric
+    };
+
+    explicit DirectSolver(MPI_Comm communicator, Symmetry symmetry = Symmetry::general);
+    ~DirectSolver();
+
+    /**
+     * Orders and factorises the @p n x @p n matrix that is the sum of all
+     * entries of all ranks (indices from 0; @p entries is left unchanged).
+     * Throws if the matrix is singular or memory runs out.
+     */
+    void factorize(int n, Triplets &entries);
+
+    /** Replaces @p vector, its blocks one after the other, by the solution. */
+    void solve(BlockFieldVector &vector);
+
+    /** Entries of the factors, over all ranks. */
+    double get_factor_entries() const;
+
+    bool is_factorized() const;
+
+    /** Forgets the factors. */
+    void clear();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> mumps;
+  };
+} // namespace caudal
+
+#endif

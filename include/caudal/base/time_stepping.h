@@ -1,0 +1,89 @@
+#ifndef caudal_base_time_stepping_h
+#define caudal_base_time_stepping_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace caudal
+{
+  /** Section `Time` of the .prm. */
+  struct TimeParameters
+  {
+    std::string  scheme          = "semi-implicit";
+    double       end_time        = 5.;
+    double       step            = 2e-3;
+    bool         adaptive        = false;
+    double       largest_step    = 5e-3;
+    double       smallest_step   = 1e-7;
+    double       body_cfl        = 1.;
+    double       convective_cfl  = 2.;
+    double       error_tolerance = 0.1;
+    unsigned int largest_number_of_retries = 6;
+
+    void add_parameters(dealii::ParameterHandler &prm);
+    void check() const;
+    bool is_explicit() const;
+  };
+
+  /**
+   * Weights of a two-step formula with variable step,
+   * dy/dt(t^{n+1}) ~ derivative[0] y^{n+1} + derivative[1] y^n + derivative[2] y^{n-1},
+   * and of the extrapolation y(t^{n+1}) ~ extrapolation[0] y^n + extrapolation[1] y^{n-1}.
+   */
+  struct TimeWeights
+  {
+    double derivative[3];
+    double extrapolation[2];
+
+    /** The backward differentiation formula of second order; of first order for @p previous_step = 0. */
+    static TimeWeights backward_differentiation(double step, double previous_step);
+  };
+
+  /** The time level: accepts and rejects steps and chooses their size. */
+  class TimeStepper
+  {
+  public:
+    explicit TimeStepper(const TimeParameters &parameters);
+
+    double       get_time() const { return time; }
+    double       get_step() const { return step; }
+    double       get_next_time() const { return time + step; }
+    double       get_previous_step() const { return previous_step; }
+    unsigned int get_step_number() const { return step_number; }
+    bool         is_at_end() const;
+
+    /** Weights of the coming step (BDF1 in the first, then BDF2). */
+    TimeWeights get_weights() const;
+
+    /** What decides the next step's size; each is relative to its limit, 1 = at the limit. */
+    struct Indicators
+    {
+      /** Largest displacement of a body point in the step, in fluid spacings. */
+      double body_cfl = 0;
+      /** max |u| dt / h. */
+      double convective_cfl = 0;
+      /** Largest difference of predicted and computed body position, in fluid spacings. */
+      double error = 0;
+    };
+
+    /** The step is done: t^n := t^{n+1}; the size of the next one follows from @p indicators. */
+    void accept(const Indicators &indicators);
+
+    /** The step failed because of @p reason: halves it; throws after too many of them. */
+    void reject(const std::string &reason);
+
+  private:
+    const TimeParameters &parameters;
+    double                time          = 0;
+    double                step          = 0;
+    double                regular_step  = 0;
+    double                previous_step = 0;
+    unsigned int          step_number   = 0;
+    unsigned int          n_retries     = 0;
+
+    void limit_to_end();
+  };
+} // namespace caudal
+
+#endif

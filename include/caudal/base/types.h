@@ -1,0 +1,38 @@
+#ifndef caudal_base_types_h
+#define caudal_base_types_h
+
+#include <deal.II/lac/la_parallel_block_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace caudal
+{
+  /** A fluid field, distributed over the ranks. */
+  using FieldVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /** Several of them: the unknowns of a coupled linear system. */
+  using BlockFieldVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+  /** Entries (row, column, value) of a distributed matrix; entries of one place add up. */
+  struct Triplets
+  {
+    std::vector<int>    rows;
+    std::vector<int>    columns;
+    std::vector<double> values;
+
+    void add(const int row, const int column, const double value)
+    {
+      rows.push_back(row);
+      columns.push_back(column);
+      values.push_back(value);
+    }
+
+    void clear()
+    {
+      rows.clear();
+      columns.clear();
+      values.clear();
+    }
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,100 @@
+#ifndef caudal_coupling_interaction_operator_h
+#define caudal_coupling_interaction_operator_h
+
+#include <caudal/base/types.h>
+#include <caudal/coupling/kernel.h>
+#include <caudal/mesh/cell_lattice.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+namespace caudal
+{
+  /** Section `Coupling`. */
+  struct CouplingParameters
+  {
+    std::string kernel               = "four-point";
+    double      quadrature_density   = 1.5;
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /**
+   * The interaction of a body with the fluid,
+   *   G_ai = sum_r N_a(s_r) w_r sum_q delta_h(x_q - X(s_r)) w_q phi_i(x_q),
+   * with the body's quadrature points s_r and the lattice x_q of midpoints of
+   * the fluid's half cells, on which the kernel's discrete moment conditions
+   * hold. With the kernel `dirac` the inner sum is phi_i(X(s_r)), the
+   * variational limit (Boffi et al. 2008, doi:10.1016/j.cma.2007.09.015).
+   * Interpolation, M_s U = G u, and spreading, f = G^T Phi, are adjoint to
+   * each other, so that Phi.(M_s U) = f.u: no power is lost between the two
+   * descriptions (Peskin 2002, doi:10.1017/S0962492902000077).
+   * The body is replicated on all ranks; each holds the part of G that its
+   * own cells contribute.
+   */
+  template <int dim>
+  class InteractionOperator
+  {
+  public:
+    InteractionOperator(const CouplingParameters &parameters, MPI_Comm communicator);
+
+    /** Half the width of the kernel's support, in cells of the finest level. */
+    double get_support() const;
+
+    /**
+     * Computes G for the body's nodal positions @p positions. Throws if part of
+     * the kernel's support lies outside the finest level; @p name is the
+     * body's, for the message. Returns the number of quadrature points.
+     */
+    unsigned int reinit(const FinestCells<dim>          &finest_cells,
+                        const DoFHandler<dim>           &velocity_dofs,
+                        const AffineConstraints<double> &constraints,
+                        const FieldVector               &velocity_layout,
+                        const DoFHandler<dim>           &body_dofs,
+                        const Vector<double>            &positions,
+                        const std::string               &name);
+
+    /**
+     * result = G u (without the division by the body's mass matrix), u having
+     * up-to-date ghost values; collective.
+     */
+    void interpolate(const FieldVector &velocity, Vector<double> &result) const;
+
+    /** result += G^T Phi on the unconstrained velocity unknowns; collective. */
+    void spread(const Vector<double> &force_density, FieldVector &result) const;
+
+    /** Calls operation(body dof, global velocity dof, value) for this rank's entries. */
+    template <class Operation>
+    void for_each_entry(const Operation &operation) const
+    {
+      for (unsigned int row = 0; row + 1 < row_start.size(); ++row)
+        for (std::size_t k = row_start[row]; k < row_start[row + 1]; ++k)
+          operation(row, columns[k], entries[k]);
+    }
+
+    std::size_t n_local_entries() const { return entries.size(); }
+
+  private:
+    const CouplingParameters &parameters;
+    const KernelPair          kernel;
+    MPI_Comm                  communicator;
+
+    // Compressed rows: global columns, and the same as indices into a ghosted vector.
+    std::vector<std::size_t>             row_start;
+    std::vector<types::global_dof_index> columns;
+    std::vector<unsigned int>            local_columns;
+    std::vector<double>                  entries;
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+
+    // What the inhomogeneous constraints contribute to G u.
+    Vector<double> inhomogeneity;
+
+    class Assembler;
+    void compress(const Assembler &assembler, unsigned int n_rows);
+  };
+} // namespace caudal
+
+#endif

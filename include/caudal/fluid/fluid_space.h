@@ -1,0 +1,68 @@
+#ifndef caudal_fluid_fluid_space_h
+#define caudal_fluid_fluid_space_h
+
+#include <caudal/base/types.h>
+#include <caudal/fluid/cell_matrices.h>
+#include <caudal/fluid/fluid_parameters.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
+namespace caudal
+{
+  /**
+   * The fluid's discrete spaces on the present grid: velocity Q2, pressure
+   * P1-discontinuous (inf-sup stable and locally mass conservative; Boffi &
+   * Gastaldi 2002, doi:10.1007/s002110200009), hanging nodes and conditions
+   * on the sides. The pressure space has no constraints.
+   */
+  template <int dim>
+  class FluidSpace
+  {
+  public:
+    FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
+               const DomainParameters<dim>               &domain,
+               const FluidParameters<dim>                &parameters);
+
+    /** To be called after each change of the grid. */
+    void reinit();
+
+    /** Sets the inhomogeneous constraints to the boundary values at @p time. */
+    void set_boundary_values(double time);
+
+    const parallel::distributed::Triangulation<dim> &get_triangulation() const { return triangulation; }
+    MPI_Comm get_communicator() const { return triangulation.get_communicator(); }
+    const FluidParameters<dim> &get_parameters() const { return parameters; }
+
+    /** A zero vector with ghost entries for all locally relevant unknowns. */
+    FieldVector make_velocity_vector() const;
+    FieldVector make_pressure_vector() const;
+
+    const CellMatrices<dim> &get_cell_matrices(const unsigned int level) const
+    {
+      return cell_matrices[level];
+    }
+    const Tensor<1, dim> &get_cell_size(const unsigned int level) const
+    {
+      return cell_matrices[level].get_cell_size();
+    }
+
+    const FESystem<dim> velocity_element;
+    const FE_DGP<dim>   pressure_element;
+    DoFHandler<dim>     velocity_dofs;
+    DoFHandler<dim>     pressure_dofs;
+
+    /** Hanging nodes and boundary values; the same with zero boundary values. */
+    AffineConstraints<double> constraints;
+    AffineConstraints<double> homogeneous_constraints;
+
+  private:
+    parallel::distributed::Triangulation<dim> &triangulation;
+    const FluidParameters<dim>                &parameters;
+    std::vector<CellMatrices<dim>>             cell_matrices;
+
+    AffineConstraints<double> make_constraints(double time, bool homogeneous) const;
+  };
+} // namespace caudal
+
+#endif

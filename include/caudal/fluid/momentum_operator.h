@@ -1,0 +1,85 @@
+#ifndef caudal_fluid_momentum_operator_h
+#define caudal_fluid_momentum_operator_h
+
+#include <caudal/fluid/fluid_space.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace caudal
+{
+  /**
+   * What a time scheme makes of the momentum equation: the implicit terms
+   * (weights, and convection by @p transport) and the terms known from before.
+   */
+  struct MomentumStep
+  {
+    MomentumWeights    weights;
+    const FieldVector *transport = nullptr;
+
+    /** The sum of the old velocities times rho and their weights in the time derivative. */
+    const FieldVector *inertia_history = nullptr;
+    /** Viscous and grad-div terms of an old velocity. */
+    const FieldVector *old_velocity = nullptr;
+    MomentumWeights    old_weights;
+    /** Convection terms of old velocities with their weights. */
+    std::vector<std::pair<const FieldVector *, double>> old_convection;
+
+    /** Time at which the body force is taken [s]. */
+    double time = 0;
+  };
+
+  /**
+   * The linear operators of a step of the momentum and continuity equations,
+   *   A du + B^T dq = r,  B du = -B u_0,
+   * for the corrections du of the velocity and dq = -dp of the pressure to a
+   * first guess that satisfies the constraints, r being the residual of the
+   * first guess. A contains the augmentation gamma B^T M_p^-1 B, which does
+   * not change the solution (Benzi & Olshanskii 2006, doi:10.1137/050646421).
+   */
+  template <int dim>
+  class MomentumOperator
+  {
+  public:
+    explicit MomentumOperator(const FluidSpace<dim> &space);
+
+    /** To be called after each change of the grid. */
+    void reinit();
+
+    /**
+     * Assembles A (unless it is the same as in the last call: no transport and
+     * equal weights; then returns false) and the @p residual of @p velocity
+     * and @p pressure. All input vectors have up-to-date ghost values.
+     */
+    bool assemble(const MomentumStep &step,
+                  const FieldVector  &velocity,
+                  const FieldVector  &pressure,
+                  FieldVector        &residual);
+
+    const TrilinosWrappers::SparseMatrix &get_matrix() const { return matrix; }
+    /** B, without the constrained velocities. */
+    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const { return divergence_matrix; }
+
+    /** result = B u with all, also the constrained, velocities. */
+    void compute_divergence(const FieldVector &velocity, FieldVector &result) const;
+
+    /** vector := M_p^-1 vector, M_p the mass matrix of the pressure. */
+    void apply_inverse_pressure_mass(FieldVector &vector) const;
+
+    /** Appends A's locally owned entries. */
+    void append_entries(Triplets &entries) const;
+
+  private:
+    const FluidSpace<dim>         &space;
+    TrilinosWrappers::SparseMatrix matrix, constant_matrix, divergence_matrix;
+    MomentumWeights                constant_weights;
+    bool                           constant_matrix_is_valid = false;
+    bool                           matrix_is_constant       = false;
+
+    void assemble_constant_matrix(const MomentumWeights &weights);
+    void add_outflow_terms(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                           const Vector<double>                                 &transport,
+                           FullMatrix<double>                                   &matrix) const;
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,95 @@
+#ifndef caudal_mesh_cell_lattice_h
+#define caudal_mesh_cell_lattice_h
+
+#include <caudal/mesh/domain.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace caudal
+{
+  /**
+   * Integer coordinates of the congruent cells: on level l the cell with the
+   * coordinates i occupies lower_corner + h_l * [i, i+1).
+   */
+  template <int dim>
+  class CellLattice
+  {
+  public:
+    using Coordinates = std::array<int, dim>;
+    using Key         = std::uint64_t;
+
+    explicit CellLattice(const DomainParameters<dim> &parameters);
+
+    unsigned int   get_finest_level() const { return finest_level; }
+    Tensor<1, dim> get_cell_size(unsigned int level) const;
+
+    /** The coordinates on @p level of the cell that holds @p point (inside the domain or not). */
+    Coordinates get_coordinates(const Point<dim> &point, unsigned int level) const;
+    bool        is_inside(const Coordinates &coordinates, unsigned int level) const;
+    Point<dim>  get_lower_corner(const Coordinates &coordinates, unsigned int level) const;
+
+    /** A number for the cell that is unique on its level. */
+    static Key get_key(const Coordinates &coordinates);
+
+  private:
+    Point<dim>                    lower_corner;
+    Tensor<1, dim>                coarse_cell_size;
+    std::array<unsigned int, dim> coarse_cells;
+    unsigned int                  finest_level;
+  };
+
+  /** A set of cells of the finest level together with their ancestors on all levels. */
+  template <int dim>
+  class CellSet
+  {
+  public:
+    explicit CellSet(const CellLattice<dim> &lattice);
+
+    /** Adds every cell that meets one of the @p boxes, each enlarged by @p margin cells. */
+    void add(const std::vector<BoundingBox<dim>> &boxes, double margin);
+
+    /** Whether the cell, or a finest cell inside it, belongs to the set. */
+    bool contains(const Point<dim> &cell_center, unsigned int level) const;
+
+    /** Number of finest cells. */
+    std::size_t size() const { return keys.back().size(); }
+
+    /** Whether all boxes, with their margins, were inside the domain. */
+    bool is_inside_domain() const { return inside_domain; }
+
+    /** Whether each of the cells is an active one of the finest level (collective). */
+    bool is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const;
+
+  private:
+    using Key = typename CellLattice<dim>::Key;
+    const CellLattice<dim>              &lattice;
+    std::vector<std::unordered_set<Key>> keys;
+    bool                                 inside_domain = true;
+  };
+
+  /** Finds the locally owned cells of the finest level by their coordinates. */
+  template <int dim>
+  class FinestCells
+  {
+  public:
+    using Cell = typename Triangulation<dim>::active_cell_iterator;
+
+    FinestCells(const CellLattice<dim> &lattice, const Triangulation<dim> &triangulation);
+
+    /** nullptr if the cell is not there, not on the finest level or another rank's. */
+    const Cell *find(const typename CellLattice<dim>::Coordinates &coordinates) const;
+
+    const CellLattice<dim> &get_lattice() const { return lattice; }
+
+  private:
+    const CellLattice<dim>                                        &lattice;
+    std::unordered_map<typename CellLattice<dim>::Key, Cell>       cells;
+  };
+} // namespace caudal
+
+#endif

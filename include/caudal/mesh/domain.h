@@ -1,0 +1,47 @@
+#ifndef caudal_mesh_domain_h
+#define caudal_mesh_domain_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/distributed/tria.h>
+
+#include <vector>
+
+namespace caudal
+{
+  using namespace dealii;
+
+  /**
+   * Section `Domain`: a box of congruent coarse cells. Its sides have the
+   * boundary ids 0 left, 1 right, 2 bottom, 3 top, 4 back, 5 front.
+   */
+  template <int dim>
+  struct DomainParameters
+  {
+    Point<dim>          lower_corner;
+    Point<dim>          size;
+    std::vector<unsigned int> cells = std::vector<unsigned int>(dim, 8);
+    unsigned int        levels = 4;
+
+    DomainParameters();
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+
+    /** Edges of a cell of refinement level @p level [m]. */
+    Tensor<1, dim> get_cell_size(unsigned int level) const;
+    unsigned int   get_finest_level() const { return levels - 1; }
+
+    /** Spacing of the lattice of velocity nodes on the finest level: half a cell [m]. */
+    Tensor<1, dim> get_finest_spacing() const { return 0.5 * get_cell_size(get_finest_level()); }
+  };
+
+  /** The sides' names in the order of their boundary ids. */
+  std::vector<std::string> get_side_names(unsigned int dim);
+
+  /** The unrefined grid of the domain. */
+  template <int dim>
+  void make_domain(parallel::distributed::Triangulation<dim> &triangulation,
+                   const DomainParameters<dim>               &parameters);
+} // namespace caudal
+
+#endif

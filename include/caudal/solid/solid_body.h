@@ -1,0 +1,112 @@
+#ifndef caudal_solid_solid_body_h
+#define caudal_solid_solid_body_h
+
+#include <caudal/solid/solid_parameters.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+
+namespace caudal
+{
+  /**
+   * A hyperelastic body: its grid in the reference configuration (its own
+   * frame), the positions X(s,t) and velocities U(s,t) of its nodes, and the
+   * matrices that do not change. It is replicated on all ranks.
+   */
+  template <int dim>
+  class SolidBody
+  {
+  public:
+    /** @p fluid_density is the density rho that the body shares with the fluid. */
+    SolidBody(const SolidParameters<dim> &parameters, double fluid_density);
+
+    const SolidParameters<dim> &get_parameters() const { return parameters; }
+    const std::string          &get_name() const { return parameters.name; }
+    const DoFHandler<dim>      &get_dof_handler() const { return dof_handler; }
+    const Triangulation<dim>   &get_triangulation() const { return triangulation; }
+    unsigned int                n_dofs() const { return dof_handler.n_dofs(); }
+    bool                        is_fixed() const { return parameters.motion == "fixed"; }
+    const StressModel<dim>     &get_stress_model(const unsigned int region) const
+    {
+      return *stress_models[region];
+    }
+
+    /** M_s = int N_a N_b ds. */
+    const SparseMatrix<double> &get_mass_matrix() const { return mass; }
+    /** int kappa N_a N_b ds in the directions in which the feedback force acts. */
+    const SparseMatrix<double> &get_feedback_stiffness() const { return feedback_stiffness; }
+    /** int eta N_a N_b ds, likewise. */
+    const SparseMatrix<double> &get_feedback_damping() const { return feedback_damping; }
+    const SparsityPattern      &get_sparsity_pattern() const { return pattern; }
+    /** rho_s - rho [kg/m^3] */
+    double get_excess_density() const { return excess_density; }
+    /** vector := M_s^-1 vector */
+    void apply_inverse_mass(Vector<double> &vector) const;
+
+    /** int ds [m^dim] */
+    double get_reference_volume() const { return reference_volume; }
+    /** The unit vector d of the body's own frame, at the start. */
+    Tensor<1, dim> get_initial_axis(unsigned int d) const;
+    /** Rotates a vector of the body's frame as the body is placed at the start. */
+    Tensor<1, dim> rotate_to_domain(const Tensor<1, dim> &vector) const;
+
+    /** int N_a v(s) ds of a function given at the reference points. */
+    Vector<double> compute_moments(const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const;
+
+    /** The value of a nodal field at the monitored point with number @p index. */
+    Tensor<1, dim> evaluate(const Vector<double> &field, unsigned int index) const;
+    /** Mean of a nodal field over the reference volume. */
+    Tensor<1, dim> compute_mean(const Vector<double> &field) const;
+    /** Boxes around the cells for the nodal positions @p x. */
+    std::vector<BoundingBox<dim>> compute_cell_boxes(const Vector<double> &x) const;
+
+    /** Values at the reference quadrature points, cell by cell. */
+    struct QuadratureData
+    {
+      std::vector<std::vector<double>>         shape_values;    // [q][scalar shape function]
+      std::vector<std::vector<Tensor<1, dim>>> shape_gradients; // [cell * n_q + q][scalar ...]
+      std::vector<Point<dim>>                  points;          // [cell * n_q + q]
+      std::vector<double>                      weights;         // [cell * n_q + q]
+      unsigned int                             n_q;
+    };
+    const QuadratureData &get_quadrature_data() const { return quadrature_data; }
+
+    /** Positions at the start. */
+    Vector<double> initial_positions;
+    /** State at t^n and t^{n-1}: positions [m], velocities [m/s]. */
+    Vector<double> positions, old_positions, velocity, old_velocity;
+    /** Phi = M_s^-1 b at t^n: all forces on the fluid per reference volume [N/m^dim]. */
+    Vector<double> force_density;
+
+  private:
+    const SolidParameters<dim>                    &parameters;
+    Triangulation<dim>                             triangulation;
+    const FESystem<dim>                            element;
+    DoFHandler<dim>                                dof_handler;
+    std::vector<std::unique_ptr<StressModel<dim>>> stress_models;
+    SparsityPattern                                pattern;
+    SparseMatrix<double>                           mass, feedback_stiffness, feedback_damping;
+    SparseDirectUMFPACK                            inverse_mass;
+    double                                         excess_density, reference_volume = 0;
+    QuadratureData                                 quadrature_data;
+
+    struct PointValue
+    {
+      std::vector<types::global_dof_index> dofs;
+      std::vector<double>                  shape_values; // one per dof
+    };
+    std::vector<PointValue> monitored;
+
+    void set_up_quadrature();
+    void assemble_matrices();
+    void set_up_monitored_points();
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef caudal_solid_solid_parameters_h
+#define caudal_solid_solid_parameters_h
+
+#include <caudal/mesh/body_grid.h>
+#include <caudal/solid/stress.h>
+
+#include <memory>
+
+namespace caudal
+{
+  /** Section `Body <name>/Region <name>`: material and feedback force of a part of the body. */
+  struct RegionParameters
+  {
+    MaterialParameters material;
+    double             feedback_stiffness = 0;
+    double             feedback_damping   = 0;
+    std::string        feedback_directions = "xyz";
+
+    void add_parameters(ParameterHandler &prm);
+    void check(const std::string &path) const;
+  };
+
+  /** The mechanical part of a section `Body <name>`. */
+  template <int dim>
+  struct SolidParameters
+  {
+    const std::string              name;
+    const std::vector<std::string> regions;
+
+    unsigned int            polynomial_degree = 1;
+    double                  density           = 0;
+    std::string             motion            = "free";
+    std::vector<Point<dim>> monitored_points;
+
+    BodyGridParameters<dim>                        grid;
+    std::vector<std::unique_ptr<RegionParameters>> region_parameters;
+
+    /** The names decide which subsections there are. */
+    SolidParameters(const std::string &name, const std::vector<std::string> &regions);
+
+    /** Declares the entries in the section of the body, which @p prm is in. */
+    void        add_parameters(ParameterHandler &prm);
+    void        check() const;
+    std::string get_path() const { return "Body " + name; }
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,146 @@
+#include <caudal/base/direct_solver.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <dmumps_c.h>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    // Values of MUMPS' `job`.
+    constexpr int job_initialise = -1, job_end = -2, job_analyse_factorise = 4, job_solve = 3;
+  } // namespace
+
+  struct DirectSolver::Implementation
+  {
+    Implementation(MPI_Comm communicator, const Symmetry symmetry)
+      : communicator(communicator)
+      , rank(Utilities::MPI::this_mpi_process(communicator))
+    {
+      data.comm_fortran = MPI_Comm_c2f(communicator);
+      data.sym          = symmetry == Symmetry::general ? 0 : 2;
+      data.par          = 1;
+      data.job          = job_initialise;
+      dmumps_c(&data);
+      for (const int channel : {1, 2, 3})
+        set_control(channel, -1);
+      set_control(4, 0);  // no messages
+      set_control(7, 5);  // nested dissection (METIS)
+      set_control(18, 3); // the matrix is distributed over the ranks
+      set_control(10, 0); // no iterative refinement: the caller iterates
+    }
+
+    ~Implementation()
+    {
+      data.job = job_end;
+      dmumps_c(&data);
+    }
+
+    void set_control(const int number, const int value)
+    {
+      data.icntl[number - 1] = value;
+    }
+
+    MPI_Comm           communicator;
+    const unsigned int rank;
+    DMUMPS_STRUC_C     data{};
+    bool               factorized = false;
+  };
+
+  DirectSolver::DirectSolver(MPI_Comm communicator, const Symmetry symmetry)
+    : mumps(std::make_unique<Implementation>(communicator, symmetry))
+  {}
+
+  DirectSolver::~DirectSolver() = default;
+
+  void DirectSolver::factorize(const int n, Triplets &entries)
+  {
+    Triplets kept;
+    for (std::size_t k = 0; k < entries.values.size(); ++k)
+      if (mumps->data.sym == 0 || entries.rows[k] <= entries.columns[k])
+        kept.add(entries.rows[k] + 1, entries.columns[k] + 1, entries.values[k]);
+
+    DMUMPS_STRUC_C &data = mumps->data;
+    data.n               = n;
+    data.nnz_loc         = kept.values.size();
+    data.irn_loc         = kept.rows.data();
+    data.jcn_loc         = kept.columns.data();
+    data.a_loc           = kept.values.data();
+    mumps->factorized    = false;
+
+    // MUMPS may underestimate the working space: -8 and -9 ask for more.
+    for (const int extra_space : {30, 100, 300})
+      {
+        mumps->set_control(14, extra_space);
+        data.job = job_analyse_factorise;
+        dmumps_c(&data);
+        if (data.infog[0] != -8 && data.infog[0] != -9)
+          break;
+      }
+    AssertThrow(data.infog[0] >= 0,
+                ExcMessage("The direct solver (MUMPS) could not factorise the " +
+                           std::to_string(n) + " x " + std::to_string(n) +
+                           " matrix: INFOG(1) = " + std::to_string(data.infog[0]) +
+                           ", INFOG(2) = " + std::to_string(data.infog[1]) +
+                           " (-10: singular, -13: out of memory)."));
+    mumps->factorized = true;
+  }
+
+  void DirectSolver::solve(BlockFieldVector &vector)
+  {
+    Assert(mumps->factorized, ExcMessage("factorize() comes before solve()."));
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mumps->communicator);
+
+    std::vector<double> everything(mumps->rank == 0 ? vector.size() : 0);
+    const auto for_each_block = [&](const auto &transfer) {
+      std::size_t offset = 0;
+      for (unsigned int b = 0; b < vector.n_blocks(); ++b)
+        {
+          FieldVector &block = vector.block(b);
+          const int    count = block.locally_owned_size();
+          const int    begin = block.get_partitioner()->local_range().first;
+          std::vector<int> counts(n_ranks), begins(n_ranks);
+          MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, mumps->communicator);
+          MPI_Gather(&begin, 1, MPI_INT, begins.data(), 1, MPI_INT, 0, mumps->communicator);
+          transfer(block, count, counts, begins, everything.data() + offset);
+          offset += block.size();
+        }
+    };
+    for_each_block([&](FieldVector &block, int count, auto &counts, auto &begins, double *data) {
+      MPI_Gatherv(block.begin(), count, MPI_DOUBLE, data, counts.data(), begins.data(), MPI_DOUBLE,
+                  0, mumps->communicator);
+    });
+    mumps->data.rhs  = everything.data();
+    mumps->data.nrhs = 1;
+    mumps->data.lrhs = vector.size();
+    mumps->data.job  = job_solve;
+    dmumps_c(&mumps->data);
+    AssertThrow(mumps->data.infog[0] >= 0,
+                ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
+                           std::to_string(mumps->data.infog[0]) + "."));
+    for_each_block([&](FieldVector &block, int count, auto &counts, auto &begins, double *data) {
+      MPI_Scatterv(data, counts.data(), begins.data(), MPI_DOUBLE, block.begin(), count, MPI_DOUBLE,
+                   0, mumps->communicator);
+    });
+  }
+
+  double DirectSolver::get_factor_entries() const
+  {
+    const double entries = mumps->data.infog[28];
+    return entries < 0 ? -1e6 * entries : entries;
+  }
+
+  bool DirectSolver::is_factorized() const
+  {
+    return mumps->factorized;
+  }
+
+  void DirectSolver::clear()
+  {
+    mumps->factorized = false;
+  }
+} // namespace caudal

@@ -1,0 +1,127 @@
+#include <caudal/base/time_stepping.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dealii;
+
+namespace caudal
+{
+  void TimeParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.add_parameter("Scheme", scheme,
+                      "semi-implicit: BDF2, convection and body forces linearised about the extrapolated state; "
+                      "explicit: midpoint body forces, Crank-Nicolson viscosity, Adams-Bashforth convection.",
+                      Patterns::Selection("semi-implicit|explicit"));
+    prm.add_parameter("End time", end_time, "Simulated time [s].");
+    prm.add_parameter("Step", step, "Size of the time step, or of the first one if it is adapted [s].");
+    prm.add_parameter("Adaptive", adaptive, "Adapt the step's size to the limits below.");
+    prm.add_parameter("Largest step", largest_step, "Upper limit of an adapted step [s].");
+    prm.add_parameter("Smallest step", smallest_step,
+                      "A step that has to be smaller than this ends the run [s].");
+    prm.add_parameter("Body CFL", body_cfl,
+                      "Adapted steps: largest displacement of the body in a step, in fluid spacings [1].");
+    prm.add_parameter("Convective CFL", convective_cfl,
+                      "Adapted steps: largest |u| dt / h, h the spacing of the velocity nodes [1].");
+    prm.add_parameter("Error tolerance", error_tolerance,
+                      "Adapted steps: largest difference between the predicted and the computed "
+                      "position of the body, in fluid spacings [1].");
+    prm.add_parameter("Largest number of retries", largest_number_of_retries,
+                      "How often in a row a failed step is tried again with half its size [1].");
+    prm.leave_subsection();
+  }
+
+  void TimeParameters::check() const
+  {
+    const auto check_positive = [](const char *entry, const double value) {
+      AssertThrow(std::isfinite(value) && value > 0,
+                  ExcMessage(std::string("Time/") + entry + ": the value is " + std::to_string(value) +
+                             ". Give a positive number."));
+    };
+    check_positive("End time", end_time);
+    check_positive("Step", step);
+    check_positive("Largest step", largest_step);
+    check_positive("Smallest step", smallest_step);
+    check_positive("Body CFL", body_cfl);
+    check_positive("Convective CFL", convective_cfl);
+    check_positive("Error tolerance", error_tolerance);
+    AssertThrow(smallest_step <= step,
+                ExcMessage("Time/Smallest step: " + std::to_string(smallest_step) +
+                           " s is larger than Time/Step. Make it smaller."));
+  }
+
+  bool TimeParameters::is_explicit() const
+  {
+    return scheme == "explicit";
+  }
+
+  TimeWeights TimeWeights::backward_differentiation(const double step, const double previous_step)
+  {
+    if (previous_step == 0)
+      return {{1 / step, -1 / step, 0}, {1, 0}};
+    const double ratio = step / previous_step;
+    return {{(1 + 2 * ratio) / (1 + ratio) / step, -(1 + ratio) / step,
+             ratio * ratio / (1 + ratio) / step},
+            {1 + ratio, -ratio}};
+  }
+
+  TimeStepper::TimeStepper(const TimeParameters &parameters)
+    : parameters(parameters)
+    , step(parameters.step)
+    , regular_step(parameters.step)
+  {
+    limit_to_end();
+  }
+
+  bool TimeStepper::is_at_end() const
+  {
+    return time >= parameters.end_time * (1 - 1e-12);
+  }
+
+  TimeWeights TimeStepper::get_weights() const
+  {
+    return TimeWeights::backward_differentiation(step, previous_step);
+  }
+
+  void TimeStepper::accept(const Indicators &indicators)
+  {
+    time += step;
+    previous_step = step;
+    ++step_number;
+    n_retries = 0;
+    if (parameters.adaptive)
+      {
+        // The error of a prediction of second order grows with step^2.
+        const double growth = std::min({1 / std::max(indicators.body_cfl, 1e-10),
+                                        1 / std::max(indicators.convective_cfl, 1e-10),
+                                        1 / std::sqrt(std::max(indicators.error, 1e-10))});
+        regular_step =
+          std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
+      }
+    // After a rejection the step grows back to its regular size gently: BDF2
+    // with variable step is stable up to a ratio of 1 + sqrt(2).
+    step = std::min(regular_step, 1.5 * previous_step);
+    limit_to_end();
+  }
+
+  void TimeStepper::reject(const std::string &reason)
+  {
+    ++n_retries;
+    step /= 2;
+    AssertThrow(n_retries <= parameters.largest_number_of_retries && step >= parameters.smallest_step,
+                ExcMessage(reason + " The step was halved " + std::to_string(n_retries - 1) +
+                           " times down to " + std::to_string(2 * step) +
+                           " s without success (Time/Largest number of retries, Time/Smallest step)."));
+  }
+
+  void TimeStepper::limit_to_end()
+  {
+    // The last two steps share what is left, so that none of them is tiny.
+    const double left = parameters.end_time - time;
+    if (left < step * (1 + 1e-9))
+      step = left;
+    else if (left < 2 * step * (1 - 1e-9))
+      step = left / 2;
+  }
+} // namespace caudal

@@ -1,0 +1,78 @@
+#include <caudal/mesh/domain.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  template <int dim>
+  DomainParameters<dim>::DomainParameters()
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      size[d] = 1;
+  }
+
+  template <int dim>
+  void DomainParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Domain");
+    prm.add_parameter("Lower corner", lower_corner, "Corner with the smallest coordinates [m].");
+    prm.add_parameter("Size", size, "Lengths of the box [m].");
+    prm.add_parameter("Cells", cells, "Numbers of coarse cells in each direction [1].",
+                      Patterns::List(Patterns::Integer(1), dim, dim));
+    prm.add_parameter("Levels", levels, "Number of refinement levels, the coarse grid included [1].");
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void DomainParameters<dim>::check() const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        AssertThrow(std::isfinite(size[d]) && size[d] > 0,
+                    ExcMessage("Domain/Size: the length in direction " + std::to_string(d) + " is " +
+                               std::to_string(size[d]) + " m. Give positive lengths."));
+      }
+    AssertThrow(levels >= 1 && levels <= 12,
+                ExcMessage("Domain/Levels: " + std::to_string(levels) + ". Give 1 to 12."));
+    const Tensor<1, dim> edges = get_cell_size(0);
+    for (unsigned int d = 1; d < dim; ++d)
+      AssertThrow(edges[d] / edges[0] < 2.001 && edges[0] / edges[d] < 2.001,
+                  ExcMessage("Domain/Cells: the cells have edges of " + std::to_string(edges[0]) +
+                             " m and " + std::to_string(edges[d]) +
+                             " m. Choose numbers that make them nearly equal."));
+  }
+
+  template <int dim>
+  Tensor<1, dim> DomainParameters<dim>::get_cell_size(const unsigned int level) const
+  {
+    Tensor<1, dim> edges;
+    for (unsigned int d = 0; d < dim; ++d)
+      edges[d] = size[d] / cells[d] / (1 << level);
+    return edges;
+  }
+
+  std::vector<std::string> get_side_names(const unsigned int dim)
+  {
+    std::vector<std::string> names = {"left", "right", "bottom", "top", "back", "front"};
+    names.resize(2 * dim);
+    return names;
+  }
+
+  template <int dim>
+  void make_domain(parallel::distributed::Triangulation<dim> &triangulation,
+                   const DomainParameters<dim>               &parameters)
+  {
+    GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                              parameters.cells,
+                                              parameters.lower_corner,
+                                              parameters.lower_corner + parameters.size,
+                                              /*colorize=*/true);
+  }
+
+  template struct DomainParameters<2>;
+  template struct DomainParameters<3>;
+  template void make_domain(parallel::distributed::Triangulation<2> &, const DomainParameters<2> &);
+  template void make_domain(parallel::distributed::Triangulation<3> &, const DomainParameters<3> &);
+} // namespace caudal

@@ -1,0 +1,77 @@
+#include <caudal/solid/solid_parameters.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  void RegionParameters::add_parameters(ParameterHandler &prm)
+  {
+    material.add_parameters(prm);
+    prm.add_parameter("Feedback stiffness", feedback_stiffness,
+                      "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
+                      "region at its initial place [N/m^4].");
+    prm.add_parameter("Feedback damping", feedback_damping,
+                      "Coefficient eta of the feedback force -eta U [N s/m^4].");
+    prm.add_parameter("Feedback directions", feedback_directions,
+                      "The directions in which the feedback force acts: letters of xyz.",
+                      Patterns::Selection("x|y|z|xy|xz|yz|xyz"));
+  }
+
+  void RegionParameters::check(const std::string &path) const
+  {
+    material.check(path);
+    AssertThrow(std::isfinite(feedback_stiffness) && feedback_stiffness >= 0,
+                ExcMessage(path + "/Feedback stiffness: the value is " +
+                           std::to_string(feedback_stiffness) + ". Give 0 or a positive number."));
+    AssertThrow(std::isfinite(feedback_damping) && feedback_damping >= 0,
+                ExcMessage(path + "/Feedback damping: the value is " +
+                           std::to_string(feedback_damping) + ". Give 0 or a positive number."));
+  }
+
+  template <int dim>
+  SolidParameters<dim>::SolidParameters(const std::string              &name,
+                                        const std::vector<std::string> &regions)
+    : name(name)
+    , regions(regions)
+  {
+    for (unsigned int r = 0; r < regions.size(); ++r)
+      region_parameters.push_back(std::make_unique<RegionParameters>());
+  }
+
+  template <int dim>
+  void SolidParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Polynomial degree", polynomial_degree,
+                      "Degree of the body's finite elements [1].", Patterns::Integer(1, 2));
+    prm.add_parameter("Density", density,
+                      "Density of the body [kg/m^3]; 0: that of the fluid.");
+    prm.add_parameter("Motion", motion,
+                      "free: the body moves with the fluid; fixed: its points stay where they are, "
+                      "which suits rigid obstacles held by a feedback damping.",
+                      Patterns::Selection("free|fixed"));
+    prm.add_parameter("Monitored points", monitored_points,
+                      "Points of the body, in its own frame, whose position and velocity become "
+                      "part of the statistics; coordinates separated by ',', points by ';' [m].");
+    grid.add_parameters(prm);
+    for (unsigned int r = 0; r < regions.size(); ++r)
+      {
+        prm.enter_subsection("Region " + regions[r]);
+        region_parameters[r]->add_parameters(prm);
+        prm.leave_subsection();
+      }
+  }
+
+  template <int dim>
+  void SolidParameters<dim>::check() const
+  {
+    AssertThrow(std::isfinite(density) && density >= 0,
+                ExcMessage(get_path() + "/Density: the value is " + std::to_string(density) +
+                           " kg/m^3. Give a positive number, or 0 for the fluid's density."));
+    grid.check(get_path());
+    for (unsigned int r = 0; r < regions.size(); ++r)
+      region_parameters[r]->check(get_path() + "/Region " + regions[r]);
+  }
+
+  template struct SolidParameters<2>;
+  template struct SolidParameters<3>;
+} // namespace caudal
