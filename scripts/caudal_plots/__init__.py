@@ -1,0 +1,1 @@
+"""Pictures of Caudal's results, from statistics.txt and the VTU files."""

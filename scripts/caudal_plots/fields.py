@@ -1,0 +1,113 @@
+"""A VTU file as numpy arrays: points, triangles and point data."""
+
+import dataclasses
+import functools
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+
+@dataclasses.dataclass(eq=False)
+class Field:
+    """Data on a plane mesh whose cells share their points.
+
+    deal.II writes each cell with points of its own; here the values of the cells
+    that meet in a point are averaged, so that colours have no seams.
+    """
+
+    points: np.ndarray     # (n, 2) [m]
+    triangles: np.ndarray  # (m, 3)
+    data: dict             # name -> (n,) or (n, 3)
+    grid: object           # the VTK data set, for sampling
+
+    @functools.cached_property
+    def areas(self):
+        """Of the triangles [m^2]."""
+        a, b, c = (self.points[self.triangles[:, i]] for i in range(3))
+        return abs(np.cross(b - a, c - a)) / 2
+
+    @functools.cached_property
+    def outline(self):
+        """The boundary as closed polygons (k, 2): edges that belong to one triangle only."""
+        edges = np.concatenate([self.triangles[:, [0, 1]], self.triangles[:, [1, 2]],
+                                self.triangles[:, [2, 0]]])
+        _, first, count = np.unique(np.sort(edges, axis=1), axis=0, return_index=True,
+                                    return_counts=True)
+        neighbours = {}
+        for a, b in edges[first[count == 1]]:
+            neighbours.setdefault(a, []).append(b)
+            neighbours.setdefault(b, []).append(a)
+        polygons = []
+        while neighbours:
+            start, polygon = next(iter(neighbours)), []
+            while start in neighbours and neighbours[start]:
+                polygon.append(start)
+                following = neighbours[start].pop()
+                neighbours[following].remove(start)
+                if not neighbours[start]:
+                    del neighbours[start]
+                start = following
+            neighbours.pop(start, None)
+            polygons.append(self.points[polygon])
+        return polygons
+
+    def clip(self, window):
+        """Indices of the triangles that touch (x0, x1, y0, y1)."""
+        x0, x1, y0, y1 = window
+        corners = self.points[self.triangles]
+        low, high = corners.min(axis=1), corners.max(axis=1)
+        return ((high[:, 0] >= x0) & (low[:, 0] <= x1) &
+                (high[:, 1] >= y0) & (low[:, 1] <= y1))
+
+    def sample(self, name, x, y):
+        """Point data at the nodes of the lattice x times y; nan outside the mesh."""
+        lattice = vtkImageData()
+        lattice.SetDimensions(len(x), len(y), 1)
+        lattice.SetOrigin(x[0], y[0], 0)
+        lattice.SetSpacing(x[1] - x[0], y[1] - y[0], 1)
+        probe = vtkProbeFilter()
+        probe.SetInputData(lattice)
+        probe.SetSourceData(self.grid)
+        probe.Update()
+        data = probe.GetOutput().GetPointData()
+        values = vtk_to_numpy(data.GetArray(name)).astype(float)
+        is_valid = vtk_to_numpy(data.GetArray(probe.GetValidPointMaskArrayName()))
+        values[is_valid == 0] = np.nan
+        return values.reshape(len(y), len(x), -1)
+
+
+def read(path):
+    """The field in a VTU file; cells of higher order are divided."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(reader.GetOutputPort())
+    triangulation = vtkTriangleFilter()
+    triangulation.SetInputConnection(surface.GetOutputPort())
+    triangulation.Update()
+    mesh = triangulation.GetOutput()
+
+    points = vtk_to_numpy(mesh.GetPoints().GetData())[:, :2].astype(float)
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+    # Points that are one: their coordinates agree to a millionth of the extent.
+    spacing = 1e-6 * np.ptp(points, axis=0).max()
+    keys = np.round((points - points.min(axis=0)) / spacing).astype(np.int64)
+    _, first, merged = np.unique(keys[:, 0] * 2_000_000 + keys[:, 1],
+                                 return_index=True, return_inverse=True)
+    count = np.bincount(merged)
+
+    def average(values):
+        if values.ndim == 1:
+            return np.bincount(merged, values) / count
+        return np.stack([average(component) for component in values.T], axis=1)
+
+    data = mesh.GetPointData()
+    return Field(points[first], merged[triangles],
+                 {data.GetArrayName(i): average(vtk_to_numpy(data.GetArray(i)))
+                  for i in range(data.GetNumberOfArrays())},
+                 reader.GetOutput())

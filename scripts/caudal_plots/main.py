@@ -1,0 +1,66 @@
+"""The command line: which figures there are, and what happens if one can't be made."""
+
+import argparse
+import pathlib
+import sys
+
+from . import flow, history, style
+from .results import MissingData, Run
+
+# File name in DIR/plots, what it shows, the function that draws it.
+FIGURES = (
+    ("speed", "speed and displacement of point A (figure 7)", history.draw_speed),
+    ("volume", "area change and range of J", history.draw_volume),
+    ("energy", "energy ledger", history.draw_energy),
+    ("vorticity", "vorticity and body at the last time (figure 6)", flow.draw_vorticity),
+    ("start_up", "pressure, velocity and body while starting (figure 8)", flow.draw_start_up),
+    ("cruise", "the same through the last tail beat (figure 9)", flow.draw_cruise),
+    ("body_wave", "outlines through the last tail beat", flow.draw_body_wave),
+)
+
+
+def save(figure, path):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path)
+    style.close(figure)
+    print(path)
+
+
+def draw_movie(run, folder):
+    """One picture of the vorticity for each output, all with one colour scale."""
+    limit = flow.get_vorticity_limit(run.read_fluid(run.times[-1]))
+    for number, time in enumerate(run.times):
+        save(flow.draw_vorticity(run, time, limit), folder / f"{number:05d}.png")
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(
+        prog="scripts/plot", description="Draws the results of a run of Caudal as PNG files.",
+        epilog="Figures: " + "; ".join(f"{name}: {text}" for name, text, _ in FIGURES) + ".")
+    parser.add_argument("folder", metavar="DIR", type=pathlib.Path,
+                        help="the run's output folder; the pictures go to DIR/plots")
+    parser.add_argument("--only", metavar="NAME", action="append",
+                        choices=[name for name, _, _ in FIGURES], help="draw this figure only")
+    parser.add_argument("--movie", action="store_true",
+                        help="draw the vorticity of every output to DIR/plots/movie, too")
+    options = parser.parse_args(arguments)
+
+    if not options.folder.is_dir():
+        print(f"{options.folder}: there is no such folder.", file=sys.stderr)
+        return 1
+
+    style.apply()
+    run = Run(options.folder)
+    tasks = [(name, lambda name=name, draw=draw: save(draw(run), run.folder / "plots" / f"{name}.png"))
+             for name, _, draw in FIGURES if not options.only or name in options.only]
+    if options.movie:
+        tasks.append(("movie", lambda: draw_movie(run, run.folder / "plots" / "movie")))
+
+    n_drawn = 0
+    for name, draw in tasks:
+        try:
+            draw()
+            n_drawn += 1
+        except MissingData as reason:
+            print(f"{name}: not drawn. {reason}", file=sys.stderr)
+    return 0 if n_drawn > 0 else 1

@@ -1,0 +1,134 @@
+"""What a run has written: its statistics by column name, its fields by time."""
+
+import functools
+import pathlib
+import re
+import xml.etree.ElementTree as xml
+
+import numpy as np
+
+from . import fields
+
+
+class MissingData(Exception):
+    """A file or column that a figure needs is not there; the text says which."""
+
+
+class Run:
+    """The results in one output folder. Files are read when they are asked for."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+
+    # Statistics
+
+    @functools.cached_property
+    def columns(self):
+        """The statistics: values over time by "name [unit]"."""
+        path = self.folder / "statistics.txt"
+        if not path.is_file():
+            raise MissingData(f"There is no {path}.")
+        headers = []
+        with open(path, encoding="utf-8") as file:
+            for line in file:
+                match = re.match(r"#\s*\d+:\s*(.*\S)", line)
+                if not match:
+                    break
+                headers.append(match.group(1))
+        # The last row may be half written while the run goes on.
+        values = np.genfromtxt(path, comments="#", invalid_raise=False, ndmin=2)
+        if not headers or values.shape[0] < 2 or values.shape[1] != len(headers):
+            raise MissingData(f"{path} has fewer than two rows, or other columns than its headers "
+                              "say.")
+        return dict(zip(headers, values.T))
+
+    def get(self, name):
+        """The column of that name; the unit in brackets need not be given."""
+        for header, values in self.columns.items():
+            if header == name or header.partition(" [")[0] == name:
+                return values
+        raise MissingData(f"statistics.txt has no column <{name}>.")
+
+    @property
+    def time(self):
+        return self.get("time")
+
+    @functools.cached_property
+    def bodies(self):
+        """The names of the bodies, from the columns "<body>: ..."."""
+        names = dict.fromkeys(header.partition(": ")[0] for header in self.columns
+                              if ": " in header)
+        if not names:
+            raise MissingData("statistics.txt has no columns <body: quantity>.")
+        return list(names)
+
+    def get_last_beat(self):
+        """Start and end [s] of the last whole tail beat of the first body.
+
+        The tail's lateral position relative to the centre of mass rises through
+        its mean at both ends. What the second half of the run does decides on
+        the mean and on the least swing that counts.
+        """
+        body = self.bodies[0]
+        tail = self.get(f"{body}: y of point 2") - self.get(f"{body}: y of centre of mass")
+        late = tail[len(tail) // 2:]
+        mean, least = (late.max() + late.min()) / 2, 0.2 * np.ptp(late)
+        starts, is_low = [], False
+        for i in range(1, len(tail)):
+            if is_low and tail[i - 1] < mean <= tail[i]:
+                weight = (mean - tail[i - 1]) / (tail[i] - tail[i - 1])
+                rise = self.time[i - 1] + weight * (self.time[i] - self.time[i - 1])
+            if tail[i] < mean - least:
+                is_low = True
+            elif is_low and tail[i] > mean + least:
+                is_low = False
+                starts.append(rise)
+        if len(starts) < 2:
+            raise MissingData(f"The tail of {body} has made no whole beat yet.")
+        return starts[-2], starts[-1]
+
+    # Fields
+
+    @functools.cached_property
+    def files(self):
+        """File names by time and block name, from solution.pvd."""
+        path = self.folder / "solution.pvd"
+        if not path.is_file():
+            raise MissingData(f"There is no {path}. Flow pictures need Output/Format = vtu.")
+        files = {}
+        for entry in xml.parse(path).iter("DataSet"):
+            blocks = files.setdefault(float(entry.get("timestep")), {})
+            name = entry.get("name") or pathlib.Path(entry.get("file")).stem.rpartition("-")[0]
+            blocks[name] = self.folder / entry.get("file")
+        if not files:
+            raise MissingData(f"{path} lists no fields yet.")
+        return files
+
+    @property
+    def times(self):
+        """The times [s] of the outputs of the fluid."""
+        times = sorted(time for time, blocks in self.files.items() if "fluid" in blocks)
+        if not times:
+            raise MissingData("solution.pvd lists no block <fluid>.")
+        return times
+
+    def get_nearest_times(self, wanted):
+        """The outputs nearest to the wanted times [s], each of them once."""
+        times = np.array(self.times)
+        gap = np.diff(times).max() if len(times) > 1 else 0.
+        nearest = [times[np.argmin(abs(times - t))] for t in wanted if t <= times[-1] + gap]
+        return sorted(set(nearest))
+
+    @functools.lru_cache(maxsize=8)
+    def read(self, time, name):
+        path = self.files[time][name]
+        if not path.is_file():
+            raise MissingData(f"There is no {path}.")
+        return fields.read(path)
+
+    def read_fluid(self, time):
+        return self.read(time, "fluid")
+
+    def read_bodies(self, time):
+        """The bodies at the time of an output, by name."""
+        return {name: self.read(time, name) for name in self.files[time] if name != "fluid"}

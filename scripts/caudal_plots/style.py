@@ -1,0 +1,71 @@
+"""One look for all figures."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.collections import PolyCollection  # noqa: E402
+
+WIDTH = 9.  # of a figure [inch]
+
+# Colour-blind safe (Okabe and Ito, 2008).
+LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+BODY = "#3A3F44"
+
+
+def apply():
+    plt.rcParams.update({
+        "figure.dpi": 100, "savefig.dpi": 160, "figure.facecolor": "white",
+        "font.family": "DejaVu Sans", "font.size": 9,
+        "axes.titlesize": 9, "axes.labelsize": 9, "axes.titlelocation": "left",
+        "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
+        "axes.linewidth": 0.7, "xtick.major.width": 0.7, "ytick.major.width": 0.7,
+        "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
+        "lines.linewidth": 1.3, "axes.prop_cycle": plt.cycler(color=LINES),
+        "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.6, "axes.axisbelow": True,
+        "legend.frameon": False, "axes.formatter.useoffset": False,
+        "axes.formatter.limits": (-3, 4), "axes.formatter.use_mathtext": True,
+    })
+
+
+def make_figure(rows, columns, height, **options):
+    """A figure of the common width, its height in inches, its axes as a 2D array."""
+    return plt.subplots(rows, columns, figsize=(WIDTH, height), squeeze=False,
+                        constrained_layout=True, **options)
+
+
+def close(figure):
+    plt.close(figure)
+
+
+def get_round_limit(value):
+    """The nearest of 1, 2, 5 times a power of ten."""
+    if not value > 0:
+        return 1.
+    power = 10.**np.floor(np.log10(value))
+    return power * min((1, 2, 5, 10), key=lambda factor: abs(np.log(factor * power / value)))
+
+
+def set_window(axes, window):
+    axes.set_aspect("equal")
+    axes.set_xlim(window[:2])
+    axes.set_ylim(window[2:])
+    axes.grid(False)
+
+
+def draw_field(axes, field, values, window, limit, colours):
+    """Smooth colours from -limit to limit in the window (x0, x1, y0, y1)."""
+    picture = axes.tripcolor(field.points[:, 0], field.points[:, 1],
+                             field.triangles[field.clip(window)], values, shading="gouraud",
+                             cmap=colours, vmin=-limit, vmax=limit, rasterized=True)
+    set_window(axes, window)
+    return picture
+
+
+def draw_bodies(axes, bodies):
+    """The bodies, filled."""
+    for body in bodies.values():
+        axes.add_collection(PolyCollection(body.outline, facecolor=BODY, edgecolor="black",
+                                           linewidth=0.5, zorder=3))
