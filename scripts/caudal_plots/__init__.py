@@ -1,1 +1,5 @@
 """Pictures of Caudal's results, from statistics.txt and the VTU files."""
+
+
+class MissingData(Exception):
+    """A file or column that a figure needs is not there; the text says which."""

@@ -10,6 +10,8 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+from . import MissingData
+
 
 @dataclasses.dataclass(eq=False)
 class Field:
@@ -91,7 +93,12 @@ def read(path):
     triangulation.Update()
     mesh = triangulation.GetOutput()
 
-    points = vtk_to_numpy(mesh.GetPoints().GetData())[:, :2].astype(float)
+    if mesh.GetNumberOfPolys() == 0:
+        raise MissingData(f"{path} can't be read or has no cells.")
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    if np.ptp(points[:, 2]) > 0:
+        raise MissingData(f"{path} is three-dimensional: look at it in ParaView.")
+    points = points[:, :2]
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
     # Points that are one: their coordinates agree to a millionth of the extent.

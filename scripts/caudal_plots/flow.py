@@ -1,14 +1,16 @@
 """Figures from the fields: vorticity, pressure, velocity, shapes of the bodies."""
 
+import dataclasses
+
 import matplotlib
 import numpy as np
 
-from . import style
-from .results import MissingData
+from . import MissingData, style
 
 # The times [s] at which the paper describes the start-up (figure 8).
 START_UP_TIMES = (0.07, 0.14, 0.18, 0.22, 0.27, 0.32, 0.4, 0.5)
 N_CRUISE_TIMES = 8
+N_OUTLINES = 12
 
 
 def get_data(field, name):
@@ -83,50 +85,68 @@ def draw_vorticity(run, time=None, limit=None):
     return figure
 
 
+@dataclasses.dataclass
+class Scene:
+    """What one panel of a sequence shows: the surroundings of the first body."""
+
+    time: float
+    fluid: object
+    window: tuple
+    pressure: np.ndarray  # of all points, minus the median in the window [Pa]
+    inside: np.ndarray    # the points in the window
+    x: np.ndarray         # the arrows' lattice
+    y: np.ndarray
+    velocity: np.ndarray  # on the lattice [m/s]
+
+    @property
+    def speed(self):
+        return np.hypot(self.velocity[..., 0], self.velocity[..., 1])
+
+
+def get_scene(run, time):
+    fluid, body = run.read_fluid(time), get_first_body(run, time)
+    length, (x0, x1, y0, y1) = get_length(body), get_limits(body.points)
+    x, y = (x0 + x1) / 2 + 0.15 * length, (y0 + y1) / 2
+    window = x - 0.95 * length, x + 0.95 * length, y - 0.42 * length, y + 0.42 * length
+
+    inside = np.unique(fluid.triangles[fluid.clip(window)])
+    pressure = get_data(fluid, "pressure")
+    get_data(fluid, "velocity")
+    x, y = np.linspace(*window[:2], 40)[1:-1], np.linspace(*window[2:], 19)[1:-1]
+    return Scene(time, fluid, window, pressure - np.median(pressure[inside]), inside, x, y,
+                 fluid.sample("velocity", x, y))
+
+
 def draw_sequence(run, times, title):
     """Pressure in colours, velocity as arrows and the bodies, at several times.
 
     The windows follow the first body; the scales are those of all times together.
     """
+    scenes = [get_scene(run, time) for time in times]
     length = get_length(get_first_body(run, times[0]))
-    half = 0.95 * length, 0.42 * length
+    limit = style.get_round_limit(
+        np.quantile(np.concatenate([abs(scene.pressure[scene.inside]) for scene in scenes]), 0.98))
+    unit = style.get_round_limit(
+        np.nanquantile(np.concatenate([scene.speed.ravel() for scene in scenes]), 0.98))
 
-    pictures = []
-    for time in times:
-        fluid = run.read_fluid(time)
-        x0, x1, y0, y1 = get_limits(get_first_body(run, time).points)
-        centre = (x0 + x1) / 2 + 0.15 * length, (y0 + y1) / 2
-        window = (centre[0] - half[0], centre[0] + half[0],
-                  centre[1] - half[1], centre[1] + half[1])
-        x = np.linspace(window[0], window[1], 40)[1:-1]
-        y = np.linspace(window[2], window[3], 19)[1:-1]
-        inside = np.unique(fluid.triangles[fluid.clip(window)])
-        pressure = get_data(fluid, "pressure")
-        pressure = pressure - np.median(pressure[inside])
-        get_data(fluid, "velocity")
-        pictures.append((time, fluid, window, pressure, abs(pressure[inside]), x, y,
-                         fluid.sample("velocity", x, y)))
-
-    limit = style.get_round_limit(np.quantile(np.concatenate([p[4] for p in pictures]), 0.97))
-    speeds = np.concatenate([np.hypot(p[7][..., 0], p[7][..., 1]).ravel() for p in pictures])
-    unit = style.get_round_limit(np.nanquantile(speeds, 0.97))
-
-    rows = (len(times) + 1) // 2
-    figure, axes = style.make_figure(rows, 2, 0.9 + rows * 2.15)
-    for panel in axes.flat[len(times):]:
+    rows = (len(scenes) + 1) // 2
+    figure, axes = style.make_figure(rows, 2, 1. + rows * 2.03)
+    for panel in axes.flat[len(scenes):]:
         panel.set_axis_off()
-    for panel, (time, fluid, window, pressure, _, x, y, velocity) in zip(axes.flat, pictures):
-        picture = style.draw_field(panel, fluid, pressure, window, limit, "PuOr_r")
-        arrows = panel.quiver(x, y, velocity[..., 0], velocity[..., 1], angles="xy",
-                              scale=unit / (0.09 * length), scale_units="xy", width=0.0018,
+    for panel, scene in zip(axes.flat, scenes):
+        picture = style.draw_field(panel, scene.fluid, scene.pressure, scene.window, limit,
+                                   style.PRESSURE)
+        velocity = np.where(scene.speed[..., None] > 0.02 * unit, scene.velocity, np.nan)
+        arrows = panel.quiver(scene.x, scene.y, velocity[..., 0], velocity[..., 1], angles="xy",
+                              scale=unit / (0.08 * length), scale_units="xy", width=0.0018,
                               color="0.15")
-        style.draw_bodies(panel, run.read_bodies(time))
-        panel.set_title(f"t = {time:.3f} s")
+        style.draw_bodies(panel, run.read_bodies(scene.time))
+        panel.set_title(f"t = {scene.time:.3f} s")
     for panel in axes[:, 0]:
         panel.set_ylabel("y [m]")
     for panel in axes[-1, :]:
         panel.set_xlabel("x [m]")
-    figure.suptitle(title, fontsize=10)
+    figure.suptitle(title)
     axes[0, 1].quiverkey(arrows, 0.86, 1.07, unit, f"{unit:g} m/s", labelpos="E")
     figure.colorbar(picture, ax=axes, orientation="horizontal", extend="both", aspect=50,
                     shrink=0.6, label="pressure − its median in the picture [Pa]")
@@ -160,16 +180,14 @@ def draw_body_wave(run):
     The frame does not turn with the beat; it is turned by the beat's mean heading.
     """
     start, end = run.get_last_beat()
-    times = [time for time in run.times if start - 1e-9 <= time <= end + 1e-9]
-    if len(times) < 3:
-        raise MissingData("Fewer than three outputs of the fields lie in the last tail beat. "
-                          "Make Output/Interval of fields smaller.")
+    times = run.get_nearest_times(np.linspace(start, end, N_OUTLINES, endpoint=False))
     names = list(run.read_bodies(times[-1]))
     if not names:
         raise MissingData("solution.pvd lists no body beside the fluid.")
 
-    figure, axes = style.make_figure(len(names), 1, 0.9 + 3.4 * len(names))
-    colours = matplotlib.colormaps["twilight_shifted"]
+    figure, axes = style.make_figure(len(names), 1, 0.4 + 2.9 * len(names))
+    colours = matplotlib.colors.ListedColormap(
+        matplotlib.colormaps["plasma"](np.linspace(0, 0.9, 256)))
     for panel, name in zip(axes[:, 0], names):
         bodies = [run.read(time, name) for time in times]
         frames = [get_frame(body) for body in bodies]
@@ -178,9 +196,9 @@ def draw_body_wave(run):
         for time, body, (centre, _) in zip(times, bodies, frames):
             for polygon in body.outline:
                 x, y = ((np.vstack([polygon, polygon[:1]]) - centre) @ turn).T
-                panel.plot(x, y, color=colours((time - start) / (end - start)), linewidth=0.9)
+                panel.plot(x, y, color=colours((time - start) / (end - start)), linewidth=1.1)
         panel.set_aspect("equal")
-        panel.set_title(f"{name}: {len(times)} outlines between t = {start:.3f} and {end:.3f} s")
+        panel.set_title(f"{name}: outlines from t = {times[0]:.3f} to {times[-1]:.3f} s")
         panel.set_ylabel("y − centre [m]")
     axes[-1, 0].set_xlabel("x − centre [m]")
     scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 1), colours)

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from . import style
-from .results import MissingData
+from . import MissingData, style
 
 START_UP = (0., 0.5)  # [s], as in the paper's figure 7b
 
@@ -31,7 +30,7 @@ def set_span(axes, start, end, values):
 def draw_speed(run):
     """Speed and displacement of point A of all bodies; forward is -x."""
     spans = get_spans(run)
-    figure, axes = style.make_figure(2, len(spans), 4.6)
+    figure, axes = style.make_figure(2, len(spans), 4.8)
     curves = []
     for body in run.bodies:
         x = run.get(f"{body}: x of point 1")
@@ -47,8 +46,9 @@ def draw_speed(run):
         axes[0, column].set_title(f"({'abc'[column]}) {title}")
         axes[1, column].set_xlabel("time [s]")
         axes[0, column].axhline(0, color="0.5", linewidth=0.6)
-    axes[0, 0].set_ylabel("speed of A towards −x [m/s]")
-    axes[1, 0].set_ylabel("displacement of A towards −x [m]")
+    axes[0, 0].set_ylabel("speed of A [m/s]")
+    axes[1, 0].set_ylabel("displacement of A [m]")
+    figure.suptitle("point A, positive towards −x")
     if len(curves) > 1:
         axes[0, 0].legend()
     return figure

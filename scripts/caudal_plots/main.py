@@ -4,8 +4,8 @@ import argparse
 import pathlib
 import sys
 
-from . import flow, history, style
-from .results import MissingData, Run
+from . import MissingData, flow, history, style
+from .results import Run
 
 # File name in DIR/plots, what it shows, the function that draws it.
 FIGURES = (

@@ -7,11 +7,7 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 
-from . import fields
-
-
-class MissingData(Exception):
-    """A file or column that a figure needs is not there; the text says which."""
+from . import MissingData, fields
 
 
 class Run:
@@ -28,19 +24,15 @@ class Run:
         path = self.folder / "statistics.txt"
         if not path.is_file():
             raise MissingData(f"There is no {path}.")
-        headers = []
-        with open(path, encoding="utf-8") as file:
-            for line in file:
-                match = re.match(r"#\s*\d+:\s*(.*\S)", line)
-                if not match:
-                    break
-                headers.append(match.group(1))
+        lines = path.read_text(encoding="utf-8").splitlines()
+        headers = [match.group(1) for line in lines
+                   if (match := re.match(r"#\s*\d+:\s*(.*\S)", line))]
         # The last row may be half written while the run goes on.
-        values = np.genfromtxt(path, comments="#", invalid_raise=False, ndmin=2)
-        if not headers or values.shape[0] < 2 or values.shape[1] != len(headers):
-            raise MissingData(f"{path} has fewer than two rows, or other columns than its headers "
-                              "say.")
-        return dict(zip(headers, values.T))
+        rows = [line.split() for line in lines if not line.startswith("#")]
+        rows = [row for row in rows if len(row) == len(headers)]
+        if not headers or len(rows) < 2:
+            raise MissingData(f"{path} has fewer than two rows with as many numbers as headers.")
+        return dict(zip(headers, np.array(rows, dtype=float).T))
 
     def get(self, name):
         """The column of that name; the unit in brackets need not be given."""
@@ -123,7 +115,7 @@ class Run:
     def read(self, time, name):
         path = self.files[time][name]
         if not path.is_file():
-            raise MissingData(f"There is no {path}.")
+            raise MissingData(f"There is no {path}, which solution.pvd lists.")
         return fields.read(path)
 
     def read_fluid(self, time):

@@ -4,6 +4,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+import matplotlib.colors  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
@@ -19,7 +20,7 @@ def apply():
     plt.rcParams.update({
         "figure.dpi": 100, "savefig.dpi": 160, "figure.facecolor": "white",
         "font.family": "DejaVu Sans", "font.size": 9,
-        "axes.titlesize": 9, "axes.labelsize": 9, "axes.titlelocation": "left",
+        "axes.titlesize": 9, "figure.titlesize": 10, "axes.labelsize": 9, "axes.titlelocation": "left",
         "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
         "axes.linewidth": 0.7, "xtick.major.width": 0.7, "ytick.major.width": 0.7,
         "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
@@ -34,6 +35,11 @@ def make_figure(rows, columns, height, **options):
     """A figure of the common width, its height in inches, its axes as a 2D array."""
     return plt.subplots(rows, columns, figsize=(WIDTH, height), squeeze=False,
                         constrained_layout=True, **options)
+
+
+# Purple to orange without the dark ends, so that arrows can be seen on it.
+PRESSURE = matplotlib.colors.ListedColormap(
+    matplotlib.colormaps["PuOr_r"](np.linspace(0.14, 0.86, 256)))
 
 
 def close(figure):
