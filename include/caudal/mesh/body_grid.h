@@ -1,0 +1,90 @@
+#ifndef caudal_mesh_body_grid_h
+#define caudal_mesh_body_grid_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+#include <vector>
+
+namespace caudal
+{
+  using namespace dealii;
+
+  /**
+   * Shape, size, grid and initial place of a body: the subsection `Shape` of a
+   * body's section. Which entries a shape uses stands in their descriptions.
+   */
+  template <int dim>
+  struct BodyGridParameters
+  {
+    std::string               type           = "naca";
+    std::string               naca_digits    = "0012";
+    double                    length         = 1.;
+    double                    thickness      = 0.1;
+    double                    width          = 0.1;
+    double                    radius         = 0.1;
+    double                    wall_thickness = 0.05;
+    std::vector<unsigned int> elements =
+        dim == 2 ? std::vector<unsigned int>{209, 10} : std::vector<unsigned int>{20, 8, 8};
+    std::string         file;
+    Point<dim>          position;
+    double              rotation = 0.;
+    std::vector<double> region_boundaries;
+
+    void add_parameters(ParameterHandler &prm);
+
+    /** Throws a sentence on values that can't work; @p path is "Body fish", for example. */
+    void check(const std::string &path) const;
+  };
+
+  /**
+   * The body's grid in its own frame [m]: origin at the nose (naca, eel), at
+   * the middle of the root edge (beam) or at the centre (the others), axis
+   * along +x. Straight-sided quadrilaterals or hexahedra on one level; the
+   * material id is the region, 0 to @p n_regions - 1, all boundary ids are 0.
+   *
+   * Cells belong to the region their centre lies in. For naca, eel, beam and
+   * rectangle each region boundary is a grid line.
+   */
+  template <int dim>
+  void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,
+                      const unsigned int n_regions, const std::string &path);
+
+  /** X = position + R(rotation) s: where the point s of the body's own frame is at the start. */
+  template <int dim>
+  Point<dim> place_in_domain(const BodyGridParameters<dim> &parameters,
+                             const Point<dim>              &reference_point);
+
+  /** Lengths of a body [m]. */
+  struct BodyExtent
+  {
+    /** Along the axis x. */
+    double length;
+
+    /**
+     * The smallest thickness of the body in each region: the smallest distance
+     * from the centre of one of the region's boundary faces, along the inward
+     * normal, to the opposite side. Infinite for a region inside the body.
+     */
+    std::vector<double> region_thickness;
+
+    /** The smallest of these. */
+    double thinnest;
+  };
+
+  template <int dim>
+  BodyExtent compute_extent(const Triangulation<dim> &tria);
+
+  /**
+   * The smallest scaled Jacobian of the grid, over all corners of all cells:
+   * the determinant of a corner's edges over the product of their lengths (1
+   * for a right angle; positive everywhere means convex cells in 2D).
+   */
+  template <int dim>
+  double compute_min_scaled_jacobian(const Triangulation<dim> &tria);
+} // namespace caudal
+
+#endif

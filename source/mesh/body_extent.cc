@@ -1,0 +1,141 @@
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <caudal/mesh/body_grid.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace caudal
+{
+  namespace
+  {
+    /** A straight piece of the body's boundary: a line (2D) or a triangle (3D). */
+    template <int dim>
+    using Facet = std::array<Point<dim>, dim>;
+
+    template <int dim>
+    struct BoundaryFace
+    {
+      Point<dim>              centre;
+      Tensor<1, dim>          inward_normal;
+      unsigned int            region;
+      std::vector<Facet<dim>> facets;
+    };
+
+    template <int dim>
+    BoundaryFace<dim>
+    make_boundary_face(const typename Triangulation<dim>::active_cell_iterator &cell,
+                       const unsigned int                                       f)
+    {
+      const auto        face = cell->face(f);
+      BoundaryFace<dim> result;
+      result.centre = face->center();
+      result.region = cell->material_id();
+      if constexpr (dim == 2)
+      {
+        result.inward_normal = cross_product_2d(face->vertex(1) - face->vertex(0));
+        result.facets        = {{{face->vertex(0), face->vertex(1)}}};
+      }
+      else
+      {
+        result.inward_normal =
+            cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
+        result.facets = {{{face->vertex(0), face->vertex(1), face->vertex(2)}},
+                         {{face->vertex(3), face->vertex(1), face->vertex(2)}}};
+      }
+      result.inward_normal /= result.inward_normal.norm();
+      if (result.inward_normal * (cell->center() - result.centre) < 0.)
+        result.inward_normal *= -1.;
+      return result;
+    }
+
+    /** The distance from @p origin along @p direction to the facet; infinite if it is missed. */
+    template <int dim>
+    double compute_distance(const Point<dim> &origin, const Tensor<1, dim> &direction,
+                            const Facet<dim> &facet)
+    {
+      const double miss = std::numeric_limits<double>::infinity();
+
+      // origin + t direction = facet[0] + sum_i a_i (facet[i] - facet[0])
+      Tensor<2, dim> matrix;
+      for (unsigned int row = 0; row < dim; ++row)
+      {
+        matrix[row][0] = direction[row];
+        for (unsigned int i = 1; i < dim; ++i)
+          matrix[row][i] = facet[0][row] - facet[i][row];
+      }
+      if (determinant(matrix) == 0.)
+        return miss;
+
+      const Tensor<1, dim> solution  = invert(matrix) * (facet[0] - origin);
+      const double         tolerance = 1e-10;
+      double               sum       = 0.;
+      for (unsigned int i = 1; i < dim; ++i)
+      {
+        if (solution[i] < -tolerance)
+          return miss;
+        sum += solution[i];
+      }
+      return solution[0] > 0. && sum < 1. + tolerance ? solution[0] : miss;
+    }
+  } // namespace
+
+  template <int dim>
+  BodyExtent compute_extent(const Triangulation<dim> &tria)
+  {
+    std::vector<BoundaryFace<dim>> faces;
+    unsigned int                   n_regions = 0;
+    for (const auto &cell : tria.active_cell_iterators())
+    {
+      n_regions = std::max<unsigned int>(n_regions, cell->material_id() + 1);
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f))
+          faces.push_back(make_boundary_face<dim>(cell, f));
+    }
+
+    BodyExtent extent;
+    extent.length = GridTools::compute_bounding_box(tria).side_length(0);
+    extent.region_thickness.assign(n_regions, std::numeric_limits<double>::infinity());
+    for (const BoundaryFace<dim> &face : faces)
+      for (const BoundaryFace<dim> &other : faces)
+        if (&other != &face)
+          for (const Facet<dim> &facet : other.facets)
+            extent.region_thickness[face.region] =
+                std::min(extent.region_thickness[face.region],
+                         compute_distance<dim>(face.centre, face.inward_normal, facet));
+    extent.thinnest =
+        *std::min_element(extent.region_thickness.begin(), extent.region_thickness.end());
+    return extent;
+  }
+
+  template <int dim>
+  double compute_min_scaled_jacobian(const Triangulation<dim> &tria)
+  {
+    double minimum = std::numeric_limits<double>::max();
+    for (const auto &cell : tria.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        // In lexicographic numbering, bit d of a vertex's number is its d-th
+        // coordinate in the unit cell.
+        Tensor<2, dim> edges;
+        double         product = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int low = v & ~(1u << d), high = v | (1u << d);
+          edges[d] = cell->vertex(high) - cell->vertex(low);
+          product *= edges[d].norm();
+        }
+        minimum = std::min(minimum, product > 0. ? determinant(edges) / product : 0.);
+      }
+    return minimum;
+  }
+
+  template BodyExtent compute_extent(const Triangulation<2> &);
+  template BodyExtent compute_extent(const Triangulation<3> &);
+
+  template double compute_min_scaled_jacobian(const Triangulation<2> &);
+  template double compute_min_scaled_jacobian(const Triangulation<3> &);
+} // namespace caudal
