@@ -45,7 +45,6 @@ namespace
 
 int main()
 {
-  dealii::deal_II_exceptions::disable_abort_on_exception();
   {
     Statistics statistics(file);
     for (const double time : {0., 0.1, 0.2, 0.3})
