@@ -411,7 +411,8 @@ namespace caudal
 
   template <int dim>
   void InteractionOperator<dim>::interpolate(const FieldVector &velocity,
-                                             Vector<double>    &result) const
+                                             Vector<double>    &result,
+                                             const bool         homogeneous) const
   {
     for (unsigned int row = 0; row + 1 < row_start.size(); ++row)
       {
@@ -421,7 +422,8 @@ namespace caudal
         result[row] = sum;
       }
     Utilities::MPI::sum(result, communicator, result);
-    result += inhomogeneity;
+    if (!homogeneous)
+      result += inhomogeneity;
   }
 
   template <int dim>

@@ -49,6 +49,7 @@ namespace caudal
     , pressure_dofs(triangulation)
     , triangulation(triangulation)
     , parameters(parameters)
+    , domain_size(domain.size)
   {
     for (unsigned int level = 0; level < domain.levels; ++level)
       cell_matrices.emplace_back(velocity_element, pressure_element, domain.get_cell_size(level));
@@ -105,6 +106,15 @@ namespace caudal
           }
     result.close();
     return result;
+  }
+
+  template <int dim>
+  double FluidSpace<dim>::get_mean_nodal_volume() const
+  {
+    double volume = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      volume *= domain_size[d];
+    return volume * dim / velocity_dofs.n_dofs();
   }
 
   template <int dim>

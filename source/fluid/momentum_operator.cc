@@ -90,6 +90,222 @@ namespace caudal
     matrix_is_constant       = false;
   }
 
+  namespace
+  {
+    const std::string body_force_path = "Fluid/Body force";
+
+    /**
+     * Adds what the skew-symmetric form of the convection lacks on outflow
+     * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
+     * energy and may be left out (Braack & Mucha 2014, doi:10.4208/jcm.1405-m4347).
+     */
+    template <int dim>
+    void add_outflow_terms(const FluidSpace<dim>                                &space,
+                           const typename DoFHandler<dim>::active_cell_iterator &cell,
+                           const Vector<double>                                 &transport,
+                           FullMatrix<double>                                   &convection)
+    {
+      const FESystem<dim> &element    = space.velocity_element;
+      const auto          &scalar     = element.base_element(0);
+      const auto           conditions = space.get_parameters().get_boundary_conditions();
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            conditions[cell->face(f)->boundary_id()] == BoundaryCondition::outflow)
+          {
+            const QGauss<dim - 1> face_quadrature(3);
+            const Quadrature<dim> quadrature =
+              QProjector<dim>::project_to_face(ReferenceCells::get_hypercube<dim>(), face_quadrature, f);
+            const double area = cell->face(f)->measure();
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const Point<dim> &point           = quadrature.point(q);
+                double            normal_velocity = 0;
+                for (unsigned int s = 0; s < convection.m(); ++s)
+                  normal_velocity += (f % 2 == 0 ? -1 : 1) *
+                                     transport[element.component_to_system_index(f / 2, s)] *
+                                     scalar.shape_value(s, point);
+                if (space.get_parameters().backflow_stabilisation)
+                  normal_velocity = std::max(normal_velocity, 0.);
+                const double factor = 0.5 * space.get_parameters().density * normal_velocity * area *
+                                      face_quadrature.weight(q);
+                for (unsigned int i = 0; i < convection.m(); ++i)
+                  for (unsigned int j = 0; j < convection.n(); ++j)
+                    convection(i, j) +=
+                      factor * scalar.shape_value(i, point) * scalar.shape_value(j, point);
+              }
+          }
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Scalar matrices act on each component of a cell's velocities. */
+    template <int dim>
+    class ComponentwiseProduct
+    {
+    public:
+      explicit ComponentwiseProduct(const FESystem<dim> &element)
+        : n_scalar(element.n_dofs_per_cell() / dim)
+        , input(n_scalar)
+        , output(n_scalar)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int s = 0; s < n_scalar; ++s)
+            index[d].push_back(element.component_to_system_index(d, s));
+      }
+
+      /** result -= weight * matrix applied to each component of values */
+      void subtract(const double              weight,
+                    const FullMatrix<double> &matrix,
+                    const Vector<double>     &values,
+                    Vector<double>           &result)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            for (unsigned int s = 0; s < n_scalar; ++s)
+              input[s] = values[index[d][s]];
+            matrix.vmult(output, input);
+            for (unsigned int s = 0; s < n_scalar; ++s)
+              result[index[d][s]] -= weight * output[s];
+          }
+      }
+
+      /** The scalar matrix as one for all components. */
+      void expand(const FullMatrix<double> &matrix, FullMatrix<double> &result) const
+      {
+        result = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int s = 0; s < n_scalar; ++s)
+            for (unsigned int t = 0; t < n_scalar; ++t)
+              result(index[d][s], index[d][t]) = matrix(s, t);
+      }
+
+    private:
+      const unsigned int        n_scalar;
+      std::vector<unsigned int> index[dim];
+      Vector<double>            input, output;
+    };
+  } // namespace
+
+  /** What a cell contributes to matrix and residual of a step. */
+  template <int dim>
+  class MomentumOperator<dim>::CellAssembler
+  {
+  public:
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    CellAssembler(const FluidSpace<dim> &space, const MomentumStep &step)
+      : space(space)
+      , step(step)
+      , parameters(space.get_parameters())
+      , rate(step.weights.inertia / parameters.density)
+      , componentwise(space.velocity_element)
+      , values(space.velocity_element.n_dofs_per_cell())
+      , product(values.size())
+      , transport(values.size())
+      , pressures(space.pressure_element.n_dofs_per_cell())
+      , convection(values.size() / dim, values.size() / dim)
+      , force_values(space.velocity_element,
+                     QGauss<dim>(3),
+                     update_values | update_quadrature_points | update_JxW_values)
+    {
+      for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
+        {
+          implicit_matrices.emplace_back(values.size(), values.size());
+          old_matrices.emplace_back(values.size(), values.size());
+          space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
+          space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
+        }
+      if (parameters.body_force.find_first_not_of("0; ") != std::string::npos)
+        {
+          body_force = make_expression<dim>(body_force_path, parameters.body_force, dim);
+          body_force->set_time(step.time);
+        }
+    }
+
+    /** residual -= the terms known from before; += pressure and body force */
+    void add_known_terms(const Cell &cell, const FieldVector &pressure, Vector<double> &residual)
+    {
+      const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
+      if (step.inertia_history != nullptr)
+        {
+          cell->get_dof_values(*step.inertia_history, values);
+          componentwise.subtract(1, matrices.get_mass(), values, residual);
+        }
+      if (step.old_velocity != nullptr)
+        {
+          cell->get_dof_values(*step.old_velocity, values);
+          old_matrices[cell->level()].vmult(product, values);
+          residual -= product;
+        }
+      for (const auto &[old, weight] : step.old_convection)
+        {
+          cell->get_dof_values(*old, values);
+          compute_convection(cell, values);
+          componentwise.subtract(weight, convection, values, residual);
+        }
+      Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
+      matrices.get_divergence().Tvmult_add(residual, pressures);
+      if (body_force)
+        add_body_force(cell, residual);
+    }
+
+    /**
+     * residual -= the implicit terms of @p velocity. With implicit convection
+     * its matrix is put into @p convection_matrix.
+     */
+    void subtract_implicit_terms(const Cell         &cell,
+                                 const FieldVector  &velocity,
+                                 Vector<double>     &residual,
+                                 FullMatrix<double> &convection_matrix)
+    {
+      cell->get_dof_values(velocity, values);
+      implicit_matrices[cell->level()].vmult(product, values);
+      residual -= product;
+      if (step.transport == nullptr)
+        return;
+      cell->get_dof_values(*step.transport, transport);
+      compute_convection(cell, transport);
+      componentwise.subtract(1, convection, values, residual);
+      componentwise.expand(convection, convection_matrix);
+    }
+
+  private:
+    const FluidSpace<dim>              &space;
+    const MomentumStep                 &step;
+    const FluidParameters<dim>         &parameters;
+    const double                        rate;
+    ComponentwiseProduct<dim>           componentwise;
+    Vector<double>                      values, product, transport, pressures;
+    FullMatrix<double>                  convection;
+    std::vector<FullMatrix<double>>     implicit_matrices, old_matrices;
+    FEValues<dim>                       force_values;
+    std::unique_ptr<FunctionParser<dim>> body_force;
+
+    void compute_convection(const Cell &cell, const Vector<double> &velocity)
+    {
+      space.get_cell_matrices(cell->level())
+        .get_convection_matrix(velocity, parameters.density, parameters.convection_stabilisation,
+                               rate, convection);
+      if (cell->at_boundary())
+        add_outflow_terms(space, cell, velocity, convection);
+    }
+
+    void add_body_force(const Cell &cell, Vector<double> &residual)
+    {
+      force_values.reinit(cell);
+      for (const unsigned int q : force_values.quadrature_point_indices())
+        {
+          const Point<dim> &point = force_values.quadrature_point(q);
+          check_finite(body_force_path, parameters.body_force, *body_force, point);
+          for (unsigned int i = 0; i < residual.size(); ++i)
+            residual[i] +=
+              body_force->value(point, space.velocity_element.system_to_component_index(i).first) *
+              force_values.shape_value(i, q) * force_values.JxW(q);
+        }
+    }
+  };
+
   template <int dim>
   bool MomentumOperator<dim>::assemble(const MomentumStep &step,
                                        const FieldVector  &velocity,
@@ -103,167 +319,25 @@ namespace caudal
     matrix_is_constant = step.transport == nullptr;
     residual           = 0;
 
-    const FluidParameters<dim> &parameters = space.get_parameters();
-    const FESystem<dim>        &element    = space.velocity_element;
-    const unsigned int          n = element.n_dofs_per_cell(), n_s = element.base_element(0).n_dofs_per_cell();
-    const unsigned int          n_p = space.pressure_element.n_dofs_per_cell();
-    const auto   body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
-    const bool   has_body_force = parameters.body_force.find_first_not_of("0; ") != std::string::npos;
-    const double rate           = step.weights.inertia / parameters.density;
-    body_force->set_time(step.time);
-
-    FullMatrix<double>                   cell_matrix(n, n), convection(n_s, n_s), full_convection(n, n);
-    Vector<double>                       cell_residual(n), values(n), transport(n), product(n);
-    Vector<double>                       pressure_values(n_p);
+    const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
+    CellAssembler                        assembler(space, step);
+    FullMatrix<double>                   convection(n, n);
+    Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
-    FEValues<dim> force_values(element, QGauss<dim>(3),
-                               update_values | update_quadrature_points | update_JxW_values);
-
-    // cell_residual -= weight * C(w) u, C acting on each component.
-    const auto subtract_convection = [&](const double weight) {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto [component_i, scalar_i] = element.system_to_component_index(i);
-          for (unsigned int j = 0; j < n; ++j)
-            if (element.system_to_component_index(j).first == component_i)
-              cell_residual[i] -=
-                weight * convection(scalar_i, element.system_to_component_index(j).second) * values[j];
-        }
-    };
-
-    std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
-    for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
-      {
-        implicit_matrices.emplace_back(n, n);
-        old_matrices.emplace_back(n, n);
-        space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
-        space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
-      }
-
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
-          cell->get_dof_indices(dofs);
           cell_residual = 0;
-
-          if (step.inertia_history != nullptr)
-            {
-              cell->get_dof_values(*step.inertia_history, values);
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  const auto [component_i, scalar_i] = element.system_to_component_index(i);
-                  for (unsigned int j = 0; j < n; ++j)
-                    if (element.system_to_component_index(j).first == component_i)
-                      cell_residual[i] -=
-                        matrices.get_mass()(scalar_i, element.system_to_component_index(j).second) *
-                        values[j];
-                }
-            }
-          if (step.old_velocity != nullptr)
-            {
-              cell->get_dof_values(*step.old_velocity, values);
-              old_matrices[cell->level()].vmult(product, values);
-              cell_residual -= product;
-            }
-          for (const auto &[old, weight] : step.old_convection)
-            {
-              cell->get_dof_values(*old, values);
-              matrices.get_convection_matrix(values, parameters.density,
-                                             parameters.convection_stabilisation, rate, convection);
-              if (cell->at_boundary())
-                add_outflow_terms(cell, values, convection);
-              subtract_convection(weight);
-            }
-
-          typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
-            ->get_dof_values(pressure, pressure_values);
-          matrices.get_divergence().Tvmult_add(cell_residual, pressure_values);
-
-          cell->get_dof_values(velocity, values);
-          implicit_matrices[cell->level()].vmult(product, values);
-          cell_residual -= product;
-          if (step.transport != nullptr)
-            {
-              cell->get_dof_values(*step.transport, transport);
-              matrices.get_convection_matrix(transport, parameters.density,
-                                             parameters.convection_stabilisation, rate, convection);
-              if (cell->at_boundary())
-                add_outflow_terms(cell, transport, convection);
-              subtract_convection(1);
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  const auto [component_i, scalar_i] = element.system_to_component_index(i);
-                  for (unsigned int j = 0; j < n; ++j)
-                    {
-                      const auto [component_j, scalar_j] = element.system_to_component_index(j);
-                      full_convection(i, j) =
-                        component_i == component_j ? convection(scalar_i, scalar_j) : 0;
-                    }
-                }
-              space.homogeneous_constraints.distribute_local_to_global(full_convection, dofs, matrix);
-            }
-          if (has_body_force)
-            {
-              force_values.reinit(cell);
-              for (unsigned int q = 0; q < force_values.n_quadrature_points; ++q)
-                {
-                  const Point<dim> &point = force_values.quadrature_point(q);
-                  check_finite("Fluid/Body force", parameters.body_force, *body_force, point);
-                  for (unsigned int i = 0; i < n; ++i)
-                    cell_residual[i] +=
-                      body_force->value(point, element.system_to_component_index(i).first) *
-                      force_values.shape_value(i, q) * force_values.JxW(q);
-                }
-            }
+          assembler.add_known_terms(cell, pressure, cell_residual);
+          assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
+          cell->get_dof_indices(dofs);
           space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
+          if (step.transport != nullptr)
+            space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
         }
     matrix.compress(VectorOperation::add);
     residual.compress(VectorOperation::add);
     return matrix_changes;
-  }
-
-  template <int dim>
-  void MomentumOperator<dim>::add_outflow_terms(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector<double>                                 &transport,
-    FullMatrix<double>                                   &convection) const
-  {
-    const FESystem<dim> &element    = space.velocity_element;
-    const auto           conditions = space.get_parameters().get_boundary_conditions();
-    const auto          &scalar     = element.base_element(0);
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() &&
-          conditions[cell->face(f)->boundary_id()] == BoundaryCondition::outflow)
-        {
-          const QGauss<dim - 1> face_quadrature(3);
-          const Quadrature<dim> quadrature = QProjector<dim>::project_to_face(
-            ReferenceCells::get_hypercube<dim>(), face_quadrature, f);
-          const Tensor<1, dim> &h = space.get_cell_size(cell->level());
-          double                area = 1;
-          for (unsigned int d = 0; d < dim; ++d)
-            if (d != f / 2)
-              area *= h[d];
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              double normal_velocity = 0;
-              for (unsigned int i = 0; i < transport.size(); ++i)
-                if (element.system_to_component_index(i).first == f / 2)
-                  normal_velocity += (f % 2 == 0 ? -1 : 1) * transport[i] *
-                                     scalar.shape_value(element.system_to_component_index(i).second,
-                                                        quadrature.point(q));
-              // The skew-symmetric form lacks 1/2 (w.n) u.v on the side; where
-              // the flow reverses, that term would feed energy.
-              if (space.get_parameters().backflow_stabilisation)
-                normal_velocity = std::max(normal_velocity, 0.);
-              const double factor = 0.5 * space.get_parameters().density * normal_velocity * area *
-                                    face_quadrature.weight(q);
-              for (unsigned int i = 0; i < convection.m(); ++i)
-                for (unsigned int j = 0; j < convection.n(); ++j)
-                  convection(i, j) += factor * scalar.shape_value(i, quadrature.point(q)) *
-                                      scalar.shape_value(j, quadrature.point(q));
-            }
-        }
   }
 
   template <int dim>

@@ -1,4 +1,6 @@
 #include <caudal/io/log.h>
+
+#include <caudal/base/command_line.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/exceptions.h>
@@ -35,11 +37,6 @@ namespace caudal
       return get_number != nullptr ? get_number() : 1;
     }
   } // namespace
-
-  std::string get_version()
-  {
-    return CAUDAL_VERSION;
-  }
 
   std::string get_blas()
   {
@@ -118,7 +115,7 @@ namespace caudal
     const unsigned int n_cores   = std::max(1u, std::thread::hardware_concurrency());
     const std::time_t  now       = std::time(nullptr);
 
-    *this << "Caudal " << get_version() << ", " << std::put_time(std::localtime(&now), "%F %T %z")
+    *this << get_version() << ", " << std::put_time(std::localtime(&now), "%F %T %z")
           << "\n  on     " << Utilities::System::get_hostname() << ", " << n_cores << " x "
           << get_processor() << "\n  with   deal.II " << DEAL_II_PACKAGE_VERSION << ", " << n_ranks
           << (n_ranks == 1 ? " rank" : " ranks") << "\n  BLAS   " << get_blas() << ", " << n_threads

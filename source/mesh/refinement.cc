@@ -16,7 +16,7 @@ namespace caudal
                       "Refine where h |vorticity| is larger, h the cell's edge; coarsen below an "
                       "eighth of it [m/s]. 0 switches it off.");
     prm.add_parameter("Vorticity levels", vorticity_levels,
-                      "The finest level (counted like Domain/Levels) that the vorticity may ask for [1].");
+                      "The number of levels that the vorticity may ask for, counted like Domain/Levels; 0: all [1].");
     prm.add_parameter("Largest number of cells", largest_number_of_cells,
                       "The vorticity asks for no more cells than this [1].");
     prm.add_parameter("Level expression", level_expression,
@@ -33,9 +33,10 @@ namespace caudal
     AssertThrow(std::isfinite(vorticity_threshold) && vorticity_threshold >= 0,
                 ExcMessage("Refinement/Vorticity threshold: " + std::to_string(vorticity_threshold) +
                            " m/s. Give 0 (off) or a positive number."));
-    AssertThrow(vorticity_levels >= 1 && vorticity_levels <= levels,
+    AssertThrow(vorticity_levels <= levels,
                 ExcMessage("Refinement/Vorticity levels: " + std::to_string(vorticity_levels) +
-                           ". Give 1 to Domain/Levels = " + std::to_string(levels) + "."));
+                           ". Give at most Domain/Levels = " + std::to_string(levels) +
+                           ", or 0 for all levels."));
   }
 
   namespace
@@ -77,7 +78,8 @@ namespace caudal
     const std::string path           = "Refinement/Level expression";
     const auto        level_function = make_expression<dim>(path, parameters.level_expression, 1);
     const int  finest          = lattice.get_finest_level();
-    const int  finest_vorticity = parameters.vorticity_levels - 1;
+    const int  finest_vorticity =
+      parameters.vorticity_levels == 0 ? finest : static_cast<int>(parameters.vorticity_levels) - 1;
     const bool use_vorticity   = parameters.vorticity_threshold > 0 && indicator.size() > 0;
 
     std::vector<float> candidates;

@@ -143,10 +143,50 @@ namespace caudal
     return summary;
   }
 
+  template <int dim>
+  CellDeformation compute_cell_deformation(const SolidBody<dim> &body, const Vector<double> &positions)
+  {
+    const auto                          &data    = body.get_quadrature_data();
+    const unsigned int                   n_cells = body.get_triangulation().n_active_cells();
+    std::vector<types::global_dof_index> dofs(body.get_dof_handler().get_fe().n_dofs_per_cell());
+    CellDeformation                      result;
+    result.jacobian.reinit(n_cells);
+    result.region.reinit(n_cells);
+    const std::string axes = "xyz";
+    for (const auto &cell : body.get_dof_handler().active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        const auto     nodes = get_nodes<dim>(cell, dofs, positions);
+        double         J     = 0;
+        Tensor<2, dim> stress;
+        for (unsigned int q = 0; q < data.n_q; ++q)
+          {
+            const Tensor<2, dim> F = compute_deformation_gradient(
+              nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]);
+            J += determinant(F) / data.n_q;
+            stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
+                      transpose(F) / determinant(F) / data.n_q;
+          }
+        result.jacobian[cell->active_cell_index()] = J;
+        result.region[cell->active_cell_index()]   = cell->material_id();
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            {
+              Vector<float> &component =
+                result.cauchy_stress[std::string("stress_") + axes[i] + axes[j]];
+              if (component.size() == 0)
+                component.reinit(n_cells);
+              component[cell->active_cell_index()] = stress[i][j];
+            }
+      }
+    return result;
+  }
+
 #define INSTANTIATE(dim)                                                                         \
   template void assemble_elastic_system(const SolidBody<dim> &, const Vector<double> &,          \
                                         const ActiveLoad<dim> &, bool, ElasticSystem &);         \
-  template DeformationSummary summarise_deformation(const SolidBody<dim> &, const Vector<double> &);
+  template DeformationSummary summarise_deformation(const SolidBody<dim> &, const Vector<double> &); \
+  template CellDeformation    compute_cell_deformation(const SolidBody<dim> &, const Vector<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -1,6 +1,5 @@
 #include <caudal/solid/solid_body.h>
 
-#include <deal.II/base/function.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -8,8 +7,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <map>
 #include <sstream>
 
 namespace caudal
@@ -27,10 +26,51 @@ namespace caudal
 
     dof_handler.distribute_dofs(element);
     DoFRenumbering::Cuthill_McKee(dof_handler);
-    initial_positions.reinit(n_dofs());
+    set_up_nodes();
     set_up_quadrature();
     assemble_matrices();
-    set_up_monitored_points();
+    for (const Point<dim> &point : parameters.monitored_points)
+      add_point(point, parameters.get_path() + "/Monitored points");
+  }
+
+  template <int dim>
+  void SolidBody<dim>::set_up_nodes()
+  {
+    reference_points.resize(n_dofs());
+    DoFTools::map_dofs_to_support_points(MappingQ1<dim>(), dof_handler, reference_points);
+
+    // By the unknown of the first component.
+    std::map<unsigned int, Node>         all, head;
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < dofs.size() / dim; ++a)
+          {
+            Node node;
+            for (unsigned int d = 0; d < dim; ++d)
+              node[d] = dofs[element.component_to_system_index(d, a)];
+            all[node[0]] = node;
+            if (cell->material_id() == 0)
+              head[node[0]] = node;
+          }
+      }
+    for (const auto &entry : all)
+      nodes.push_back(entry.second);
+    for (const auto &entry : head)
+      head_nodes.push_back(entry.second);
+
+    initial_positions.reinit(n_dofs());
+    for (const Node &node : nodes)
+      {
+        const Point<dim> place = place_in_domain(parameters.grid, reference_points[node[0]]);
+        for (unsigned int d = 0; d < dim; ++d)
+          initial_positions[node[d]] = place[d];
+      }
+    positions     = initial_positions;
+    old_positions = initial_positions;
+    for (Vector<double> *vector : {&velocity, &old_velocity, &force_density})
+      vector->reinit(n_dofs());
   }
 
   template <int dim>
@@ -101,56 +141,46 @@ namespace caudal
           }
       }
     inverse_mass.initialize(mass);
-
-    for (Vector<double> *vector : {&velocity, &old_velocity, &force_density})
-      vector->reinit(n_dofs());
-    std::vector<std::function<double(const Point<dim> &)>> placement;
-    for (unsigned int d = 0; d < dim; ++d)
-      placement.push_back([&, d](const Point<dim> &s) { return place_in_domain(parameters.grid, s)[d]; });
-    VectorTools::interpolate(dof_handler, FunctionFromFunctionObjects<dim>(placement), initial_positions);
-    positions     = initial_positions;
-    old_positions = initial_positions;
+    Vector<double> ones(n_dofs());
+    ones = 1;
+    nodal_volumes.reinit(n_dofs());
+    mass.vmult(nodal_volumes, ones);
   }
 
   template <int dim>
-  void SolidBody<dim>::set_up_monitored_points()
+  unsigned int SolidBody<dim>::add_point(const Point<dim> &point, const std::string &path)
   {
-    for (const Point<dim> &point : parameters.monitored_points)
-      {
-        std::ostringstream text;
-        text << point;
-        const MappingQ1<dim> mapping;
-        // Points on the boundary count as inside.
-        const double tolerance = 1e-3;
-        auto         cell      = dof_handler.end();
-        Point<dim>   unit_point;
-        for (const auto &candidate : dof_handler.active_cell_iterators())
-          if (candidate->bounding_box().point_inside(point, tolerance))
-            try
+    // Points on the boundary count as inside, also where round-off moves them out.
+    const MappingQ1<dim> mapping;
+    auto                 cell = dof_handler.end();
+    Point<dim>           unit_point;
+    for (const auto &candidate : dof_handler.active_cell_iterators())
+      if (candidate->bounding_box().point_inside(point, 1e-3))
+        try
+          {
+            const Point<dim> p = mapping.transform_real_to_unit_cell(candidate, point);
+            if (GeometryInfo<dim>::is_inside_unit_cell(p, 0.05) &&
+                (cell == dof_handler.end() || GeometryInfo<dim>::distance_to_unit_cell(p) <
+                                                GeometryInfo<dim>::distance_to_unit_cell(unit_point)))
               {
-                const Point<dim> p = mapping.transform_real_to_unit_cell(candidate, point);
-                if (GeometryInfo<dim>::is_inside_unit_cell(p, 0.05) &&
-                    (cell == dof_handler.end() ||
-                     GeometryInfo<dim>::distance_to_unit_cell(p) <
-                       GeometryInfo<dim>::distance_to_unit_cell(unit_point)))
-                  {
-                    cell       = candidate;
-                    unit_point = p;
-                  }
+                cell       = candidate;
+                unit_point = p;
               }
-            catch (const typename Mapping<dim>::ExcTransformationFailed &)
-              {}
-        AssertThrow(cell != dof_handler.end(),
-                    ExcMessage(parameters.get_path() + "/Monitored points: the point (" +
-                               text.str() + ") is not inside the body. Give points in the body's " +
-                               "own frame, as in its reference configuration."));
-        PointValue value;
-        value.dofs.resize(element.n_dofs_per_cell());
-        cell->get_dof_indices(value.dofs);
-        for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
-          value.shape_values.push_back(element.shape_value(i, unit_point));
-        monitored.push_back(value);
-      }
+          }
+        catch (const typename Mapping<dim>::ExcTransformationFailed &)
+          {} // a point far outside of this cell
+    std::ostringstream text;
+    text << point;
+    AssertThrow(cell != dof_handler.end(),
+                ExcMessage(path + ": the point (" + text.str() + ") is not inside the body. Give " +
+                           "points in the body's own frame, as in its reference configuration."));
+    PointValue value;
+    value.dofs.resize(element.n_dofs_per_cell());
+    cell->get_dof_indices(value.dofs);
+    for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+      value.shape_values.push_back(element.shape_value(i, unit_point));
+    points.push_back(value);
+    return points.size() - 1;
   }
 
   template <int dim>
@@ -200,33 +230,36 @@ namespace caudal
   template <int dim>
   Tensor<1, dim> SolidBody<dim>::evaluate(const Vector<double> &field, const unsigned int index) const
   {
-    AssertIndexRange(index, monitored.size());
+    AssertIndexRange(index, points.size());
     Tensor<1, dim> result;
-    for (unsigned int i = 0; i < monitored[index].dofs.size(); ++i)
+    for (unsigned int i = 0; i < points[index].dofs.size(); ++i)
       result[element.system_to_component_index(i).first] +=
-        monitored[index].shape_values[i] * field[monitored[index].dofs[i]];
+        points[index].shape_values[i] * field[points[index].dofs[i]];
     return result;
   }
 
   template <int dim>
   Tensor<1, dim> SolidBody<dim>::compute_mean(const Vector<double> &field) const
   {
-    Vector<double> moments(n_dofs());
-    mass.vmult(moments, field);
-    Tensor<1, dim>                       mean;
-    std::vector<bool>                    counted(n_dofs(), false);
-    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      {
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (!counted[dofs[i]])
-            {
-              mean[element.system_to_component_index(i).first] += moments[dofs[i]];
-              counted[dofs[i]] = true;
-            }
-      }
+    Tensor<1, dim> mean;
+    for (const Node &node : nodes)
+      for (unsigned int d = 0; d < dim; ++d)
+        mean[d] += nodal_volumes[node[d]] * field[node[d]];
     return mean / reference_volume;
+  }
+
+  template <int dim>
+  bool SolidBody<dim>::contains_at_start(const Point<dim> &point) const
+  {
+    // Back to the body's own frame: the initial placement is a rigid motion.
+    const Tensor<1, dim> moved = point - place_in_domain(parameters.grid, Point<dim>());
+    Point<dim>           reference;
+    for (unsigned int d = 0; d < dim; ++d)
+      reference[d] = moved * get_initial_axis(d);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->bounding_box().point_inside(reference) && cell->point_inside(reference))
+        return true;
+    return false;
   }
 
   template <int dim>

@@ -59,9 +59,11 @@ namespace caudal
 
     /**
      * result = G u (without the division by the body's mass matrix), u having
-     * up-to-date ghost values; collective.
+     * up-to-date ghost values; @p homogeneous: as if all boundary values were zero; collective.
      */
-    void interpolate(const FieldVector &velocity, Vector<double> &result) const;
+    void interpolate(const FieldVector &velocity,
+                     Vector<double>    &result,
+                     bool               homogeneous = false) const;
 
     /** result += G^T Phi on the unconstrained velocity unknowns; collective. */
     void spread(const Vector<double> &force_density, FieldVector &result) const;

@@ -38,6 +38,10 @@ namespace caudal
     FieldVector make_velocity_vector() const;
     FieldVector make_pressure_vector() const;
 
+    const Tensor<1, dim> &get_domain_size() const { return domain_size; }
+    /** The domain's volume over the number of velocity nodes [m^dim]. */
+    double get_mean_nodal_volume() const;
+
     const CellMatrices<dim> &get_cell_matrices(const unsigned int level) const
     {
       return cell_matrices[level];
@@ -59,6 +63,7 @@ namespace caudal
   private:
     parallel::distributed::Triangulation<dim> &triangulation;
     const FluidParameters<dim>                &parameters;
+    const Tensor<1, dim>                       domain_size;
     std::vector<CellMatrices<dim>>             cell_matrices;
 
     AffineConstraints<double> make_constraints(double time, bool homogeneous) const;

@@ -76,9 +76,8 @@ namespace caudal
     bool                           matrix_is_constant       = false;
 
     void assemble_constant_matrix(const MomentumWeights &weights);
-    void add_outflow_terms(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                           const Vector<double>                                 &transport,
-                           FullMatrix<double>                                   &matrix) const;
+
+    class CellAssembler;
   };
 } // namespace caudal
 

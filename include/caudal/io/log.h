@@ -10,9 +10,6 @@
 
 namespace caudal
 {
-  /** Caudal's version, "0.1.0". */
-  std::string get_version();
-
   /** The linear algebra library that serves the calls to dgemm: its name and a verdict. */
   std::string get_blas();
 

@@ -13,7 +13,7 @@ namespace caudal
     unsigned int interval            = 10;
     double       body_margin         = 3;
     double       vorticity_threshold = 0;
-    unsigned int vorticity_levels    = 3;
+    unsigned int vorticity_levels    = 0;
     unsigned int largest_number_of_cells = 100000;
     std::string  level_expression    = "0";
 

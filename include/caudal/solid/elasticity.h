@@ -3,6 +3,8 @@
 
 #include <caudal/solid/solid_body.h>
 
+#include <map>
+
 namespace caudal
 {
   /** What drives a body from inside: fields over the reference configuration. */
@@ -52,6 +54,15 @@ namespace caudal
 
   template <int dim>
   DeformationSummary summarise_deformation(const SolidBody<dim> &body, const Vector<double> &positions);
+  /** Cell means for pictures: J, the elastic Cauchy stress P F^T / J [Pa] by component, the region. */
+  struct CellDeformation
+  {
+    Vector<float>                        jacobian, region;
+    std::map<std::string, Vector<float>> cauchy_stress;
+  };
+
+  template <int dim>
+  CellDeformation compute_cell_deformation(const SolidBody<dim> &body, const Vector<double> &positions);
 } // namespace caudal
 
 #endif

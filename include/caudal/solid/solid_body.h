@@ -10,6 +10,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <functional>
 
 namespace caudal
@@ -49,6 +50,16 @@ namespace caudal
     /** vector := M_s^-1 vector */
     void apply_inverse_mass(Vector<double> &vector) const;
 
+    /** The unknowns of a node, one for each component. */
+    using Node = std::array<unsigned int, dim>;
+    const std::vector<Node> &get_nodes() const { return nodes; }
+    /** The nodes in the first region, the swimmer's head. */
+    const std::vector<Node> &get_head_nodes() const { return head_nodes; }
+    /** Reference point (own frame) of an unknown. */
+    const Point<dim> &get_reference_point(const unsigned int dof) const { return reference_points[dof]; }
+    /** int N_a ds, the lumped mass matrix. */
+    const Vector<double> &get_nodal_volumes() const { return nodal_volumes; }
+
     /** int ds [m^dim] */
     double get_reference_volume() const { return reference_volume; }
     /** The unit vector d of the body's own frame, at the start. */
@@ -59,10 +70,19 @@ namespace caudal
     /** int N_a v(s) ds of a function given at the reference points. */
     Vector<double> compute_moments(const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const;
 
-    /** The value of a nodal field at the monitored point with number @p index. */
+    /**
+     * Prepares the evaluation of fields at a point of the reference
+     * configuration (the body's own frame) and returns its number. Throws if it
+     * is outside the body; @p path names the entry that it comes from. The
+     * monitored points of the parameters are the first ones.
+     */
+    unsigned int add_point(const Point<dim> &point, const std::string &path);
+    /** The value of a nodal field at the point with number @p index. */
     Tensor<1, dim> evaluate(const Vector<double> &field, unsigned int index) const;
     /** Mean of a nodal field over the reference volume. */
     Tensor<1, dim> compute_mean(const Vector<double> &field) const;
+    /** Whether a point of the domain lies in the body at the start. */
+    bool contains_at_start(const Point<dim> &point) const;
     /** Boxes around the cells for the nodal positions @p x. */
     std::vector<BoundingBox<dim>> compute_cell_boxes(const Vector<double> &x) const;
 
@@ -95,17 +115,20 @@ namespace caudal
     SparseDirectUMFPACK                            inverse_mass;
     double                                         excess_density, reference_volume = 0;
     QuadratureData                                 quadrature_data;
+    std::vector<Node>                              nodes, head_nodes;
+    std::vector<Point<dim>>                        reference_points;
+    Vector<double>                                 nodal_volumes;
 
     struct PointValue
     {
       std::vector<types::global_dof_index> dofs;
       std::vector<double>                  shape_values; // one per dof
     };
-    std::vector<PointValue> monitored;
+    std::vector<PointValue> points;
 
+    void set_up_nodes();
     void set_up_quadrature();
     void assemble_matrices();
-    void set_up_monitored_points();
   };
 } // namespace caudal
 

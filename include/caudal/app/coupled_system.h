@@ -1,0 +1,114 @@
+#ifndef caudal_app_coupled_system_h
+#define caudal_app_coupled_system_h
+
+#include <caudal/base/direct_solver.h>
+#include <caudal/coupling/interaction_operator.h>
+#include <caudal/fluid/momentum_operator.h>
+
+#include <deal.II/base/timer.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace caudal
+{
+  /** Section `Solver`. */
+  struct SolverParameters
+  {
+    double       tolerance                    = 1e-8;
+    unsigned int largest_number_of_iterations = 40;
+    double       augmentation                 = 1e3;
+    std::string  reuse                        = "automatic";
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /**
+   * The part of a body in a step's linear system: the equations
+   *   M_s dU - G du = r_U,
+   *   R dU + M_s dPhi - eta M_s Z dq = r_Phi,  Z^T M_s (dU - Z dq) = r_q
+   * for the corrections of its velocity, its force density and, with a gait,
+   * of the velocity q of its floating frame (Z: rigid-body velocities).
+   */
+  struct BodyEquations
+  {
+    const SparseMatrix<double> *mass = nullptr;
+    /** R = -db/dU: stiffness times step, damping, excess inertia. */
+    const SparseMatrix<double> *response = nullptr;
+    /** M_s Z, column by column; empty without a gait. */
+    std::vector<Vector<double>> rigid_moments;
+    /** Z^T M_s Z */
+    FullMatrix<double> rigid_inertia;
+    double             gait_damping = 0;
+
+    // Right hand sides, replaced by the corrections.
+    Vector<double> velocity, force_density, frame_velocity;
+
+    unsigned int n_unknowns() const { return 2 * mass->m() + rigid_moments.size(); }
+  };
+
+  /**
+   * The linear system of a step: momentum, continuity and all bodies at once,
+   *   A du + B^T dq - sum_b G_b^T dPhi_b = r_u,   B du = r_p,
+   *   and the BodyEquations,
+   * solved by FGMRES. The preconditioner is the block triangular one of the
+   * augmented Lagrangian (see MomentumOperator), in which velocities and bodies
+   * are factorised together. With an up-to-date factorisation two or three
+   * iterations do; an older one is reused as long as the additional iterations
+   * cost less than a new one.
+   */
+  template <int dim>
+  class CoupledSystem
+  {
+  public:
+    CoupledSystem(const SolverParameters      &parameters,
+                  const FluidSpace<dim>       &space,
+                  const MomentumOperator<dim> &momentum,
+                  TimerOutput                 &timer);
+
+    struct Body
+    {
+      const InteractionOperator<dim> *interaction;
+      BodyEquations                  *equations;
+    };
+
+    /** Forgets the factorisation, after a change of the grid. */
+    void reinit();
+
+    /**
+     * Solves for the corrections. @p momentum_residual (r_u) becomes du,
+     * @p divergence (r_p) becomes dq, the right hand sides of the @p bodies
+     * their corrections. @p scale: the norm of the forces to which the
+     * residual is compared. @p matrix_changed: whether the system is another
+     * one than in the last call. Returns the number of iterations; throws
+     * SolverControl::NoConvergence.
+     */
+    unsigned int solve(FieldVector             &momentum_residual,
+                       FieldVector             &divergence,
+                       const std::vector<Body> &bodies,
+                       const MomentumWeights   &weights,
+                       double                   scale,
+                       bool                     matrix_changed);
+
+    /** Number of entries of the factors. */
+    double       get_factor_entries() const { return direct_solver.get_factor_entries(); }
+    unsigned int get_n_factorisations() const { return n_factorisations; }
+
+  private:
+    const SolverParameters      &parameters;
+    const FluidSpace<dim>       &space;
+    const MomentumOperator<dim> &momentum;
+    TimerOutput                 &timer;
+    DirectSolver                 direct_solver;
+
+    // What decides whether a factorisation is reused (wall time, s).
+    bool         factorisation_is_exact = false;
+    double       factorisation_time = 0, iteration_time = 0;
+    unsigned int last_iterations = 0, n_factorisations = 0;
+    unsigned int exact_iterations = 0;
+
+    bool should_factorise(bool matrix_changed) const;
+    void factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,60 @@
+#ifndef caudal_app_immersed_swimmer_h
+#define caudal_app_immersed_swimmer_h
+
+#include <caudal/app/grid_adaptation.h>
+#include <caudal/app/parameters.h>
+#include <caudal/app/run_output.h>
+
+#include <functional>
+
+namespace caudal
+{
+  /** How a run ended, if not by an error. */
+  enum class Outcome
+  {
+    finished,
+    stopped // on request
+  };
+
+  /** Elastic bodies that swim in a viscous fluid: the immersed boundary method. */
+  template <int dim>
+  class ImmersedSwimmer
+  {
+  public:
+    /** Sets up grids, fields and bodies at t = 0. */
+    ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator);
+
+    /** Cells, unknowns and sizes, with warnings about what is likely to go wrong. */
+    void print_summary(std::ostream &out) const;
+
+    /** Runs to the end time, or until @p stop_requested says so. */
+    Outcome run(const OutputFolder &folder, Log &log, const std::function<bool()> &stop_requested);
+
+  private:
+    const RunParameters<dim>                       &parameters;
+    MPI_Comm                                        communicator;
+    TimerOutput                                     timer;
+    parallel::distributed::Triangulation<dim>       triangulation;
+    const CellLattice<dim>                          lattice;
+    FluidSpace<dim>                                 space;
+    MomentumOperator<dim>                           momentum;
+    CoupledSystem<dim>                              coupled_system;
+    FluidState<dim>                                 fluid;
+    std::vector<std::unique_ptr<SwimmingBody<dim>>> bodies;
+    std::unique_ptr<FinestCells<dim>>               finest_cells;
+    const ImmersedSystem<dim>                       system;
+    GridAdaptation<dim>                             adaptation;
+    std::unique_ptr<TimeScheme<dim>>                scheme;
+
+    void       check_bodies() const;
+    void       start_bodies();
+    void       adapt_grid(const TimeStepper &stepper, Log &log);
+    StepResult advance(TimeStepper &stepper, Log &log);
+    void       run_to_end(TimeStepper                 &stepper,
+                          RunOutput<dim>              &output,
+                          Log                         &log,
+                          const std::function<bool()> &stop_requested);
+  };
+} // namespace caudal
+
+#endif

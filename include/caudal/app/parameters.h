@@ -1,0 +1,43 @@
+#ifndef caudal_app_parameters_h
+#define caudal_app_parameters_h
+
+#include <caudal/app/swimming_body.h>
+#include <caudal/base/parameter_file.h>
+#include <caudal/base/time_stepping.h>
+#include <caudal/io/field_output.h>
+#include <caudal/mesh/refinement.h>
+
+namespace caudal
+{
+  /** All parameters of a run of the immersed swimmer. */
+  template <int dim>
+  struct RunParameters
+  {
+    std::string model     = "immersed";
+    unsigned int dimension = dim;
+    std::string  bodies_text;
+
+    TimeParameters        time;
+    DomainParameters<dim> domain;
+    FluidParameters<dim>  fluid;
+    CouplingParameters    coupling;
+    RefinementParameters  refinement;
+    SolverParameters      solver;
+    OutputParameters      output;
+    std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
+
+    /**
+     * The bodies and their regions, which decide what sections there are, are
+     * those that @p file names; without a file one body <name> with one region.
+     */
+    explicit RunParameters(const ParameterFile *file);
+
+    void declare(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /** The space dimension that the file asks for: 2 or 3. */
+  unsigned int get_dimension(const ParameterFile &file);
+} // namespace caudal
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef caudal_app_run_output_h
+#define caudal_app_run_output_h
+
+#include <caudal/app/parameters.h>
+#include <caudal/app/time_scheme.h>
+#include <caudal/io/log.h>
+#include <caudal/io/output_folder.h>
+#include <caudal/io/statistics.h>
+#include <caudal/io/swim_report.h>
+
+namespace caudal
+{
+  /** Energies of fluid and bodies since the start (per metre of span in 2D). */
+  struct EnergyLedger
+  {
+    double initial_kinetic_energy = 0;
+    double kinetic_energy         = 0;
+    double elastic_energy         = 0;
+    double dissipation            = 0;
+    double muscle_work            = 0;
+    double feedback_work          = 0;
+
+    /** What is unaccounted for: flow through the sides, errors of the schemes and of the grid. */
+    double get_residual() const
+    {
+      return muscle_work + feedback_work -
+             (kinetic_energy - initial_kinetic_energy + elastic_energy + dissipation);
+    }
+  };
+
+  /** Writes what a run finds: fields, statistics.txt and the tables of tail beats. */
+  template <int dim>
+  class RunOutput
+  {
+  public:
+    RunOutput(const RunParameters<dim>  &parameters,
+              const ImmersedSystem<dim> &system,
+              const OutputFolder        &folder,
+              Log                       &log);
+
+    /** After each step: updates ledger and reports, writes a row and fields if they are due. */
+    void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
+
+    /** The state at @p time as fields, whether they are due or not; not twice at the same time. */
+    void write_fields(double time);
+
+    void finish();
+
+    double get_largest_velocity() const { return flow.largest_velocity; }
+
+  private:
+    const RunParameters<dim>                &parameters;
+    ImmersedSystem<dim>                      system;
+    Statistics                               statistics;
+    FieldOutput                              field_output;
+    std::vector<std::unique_ptr<SwimReport>> swim_reports;
+    std::vector<Tensor<1, dim>>              initial_centers;
+    EnergyLedger                             ledger;
+    FlowSummary<dim>                         flow;
+    unsigned int                             n_field_outputs = 0;
+    double                                   last_field_time = -1;
+
+    void update_ledger(double step);
+    void write_statistics(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
+    void set_body_statistics(const SwimmingBody<dim> &body);
+    void write_fluid(double time);
+    void write_body(const SwimmingBody<dim> &body, double time);
+  };
+} // namespace caudal
+
+#endif

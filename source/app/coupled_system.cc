@@ -1,0 +1,371 @@
+#include <caudal/app/coupled_system.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  void SolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Tolerance", tolerance,
+                      "Residual of the linear system of a step relative to the forces in it [1].");
+    prm.add_parameter("Largest number of iterations", largest_number_of_iterations,
+                      "Iterations after which an old factorisation is renewed, and after which a step "
+                      "with a new one has failed [1].");
+    prm.add_parameter("Augmentation", augmentation,
+                      "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
+                      "the smallest length of the domain: larger means fewer iterations and larger "
+                      "round-off [1].");
+    prm.add_parameter("Reuse factorisation", reuse,
+                      "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
+                      "never: factorise in each step.",
+                      Patterns::Selection("automatic|never"));
+    prm.leave_subsection();
+  }
+
+  void SolverParameters::check() const
+  {
+    AssertThrow(tolerance > 0 && tolerance < 1e-2,
+                ExcMessage("Solver/Tolerance: the value is " + std::to_string(tolerance) +
+                           ". Give a number between 0 and 0.01."));
+    AssertThrow(largest_number_of_iterations >= 2,
+                ExcMessage("Solver/Largest number of iterations: give at least 2."));
+    AssertThrow(std::isfinite(augmentation) && augmentation > 0,
+                ExcMessage("Solver/Augmentation: the value is " + std::to_string(augmentation) +
+                           ". Give a positive number, 1e3 for example."));
+  }
+
+  namespace
+  {
+    /** The bodies' unknowns, which rank 0 holds, to and from all ranks. */
+    class BodyVector
+    {
+    public:
+      BodyVector(MPI_Comm communicator, const unsigned int size)
+        : communicator(communicator)
+        , values(size)
+      {}
+
+      void receive(const FieldVector &source)
+      {
+        std::copy(source.begin(), source.begin() + source.locally_owned_size(), values.begin());
+        MPI_Bcast(values.data(), values.size(), MPI_DOUBLE, 0, communicator);
+      }
+
+      void send(FieldVector &target) const
+      {
+        std::copy(values.begin(), values.begin() + target.locally_owned_size(), target.begin());
+      }
+
+      Vector<double> extract(const unsigned int begin, const unsigned int size) const
+      {
+        return Vector<double>(values.begin() + begin, values.begin() + begin + size);
+      }
+
+      void insert(const Vector<double> &part, const unsigned int begin)
+      {
+        std::copy(part.begin(), part.end(), values.begin() + begin);
+      }
+
+    private:
+      MPI_Comm            communicator;
+      std::vector<double> values;
+    };
+
+    /**
+     * Scales of the continuity equation and of the equation of the bodies'
+     * velocities that make their residuals comparable to forces: rho/dt.
+     */
+    double get_kinematic_scale(const MomentumWeights &weights)
+    {
+      return weights.inertia;
+    }
+
+    template <int dim>
+    class SystemOperator
+    {
+    public:
+      SystemOperator(const MomentumOperator<dim>                           &momentum,
+                     const std::vector<typename CoupledSystem<dim>::Body> &bodies,
+                     const double                                           scale)
+        : momentum(momentum)
+        , bodies(bodies)
+        , scale(scale)
+      {}
+
+      void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
+      {
+        momentum.get_matrix().vmult(result.block(0), source.block(0));
+        momentum.get_divergence_matrix().Tvmult_add(result.block(0), source.block(1));
+        momentum.get_divergence_matrix().vmult(result.block(1), source.block(0));
+        result.block(1) *= scale;
+        if (bodies.empty())
+          return;
+
+        BodyVector in(source.block(0).get_mpi_communicator(), source.block(2).size());
+        BodyVector out(source.block(0).get_mpi_communicator(), source.block(2).size());
+        in.receive(source.block(2));
+        source.block(0).update_ghost_values();
+        FieldVector forces;
+        forces.reinit(result.block(0));
+        unsigned int begin = 0;
+        for (const auto &[interaction, equations] : bodies)
+          {
+            const unsigned int   n = equations->mass->m(), n_q = equations->rigid_moments.size();
+            const Vector<double> velocity      = in.extract(begin, n);
+            const Vector<double> force_density = in.extract(begin + n, n);
+            const Vector<double> frame         = in.extract(begin + 2 * n, n_q);
+            interaction->spread(force_density, forces);
+
+            Vector<double> kinematic(n), interpolated(n), balance(n), frame_balance(n_q);
+            equations->mass->vmult(kinematic, velocity);
+            interaction->interpolate(source.block(0), interpolated, /*homogeneous=*/true);
+            kinematic -= interpolated;
+            kinematic *= scale;
+            equations->response->vmult(balance, velocity);
+            equations->mass->vmult_add(balance, force_density);
+            for (unsigned int k = 0; k < n_q; ++k)
+              {
+                balance.add(-equations->gait_damping * frame[k], equations->rigid_moments[k]);
+                frame_balance[k] = equations->rigid_moments[k] * velocity;
+                for (unsigned int l = 0; l < n_q; ++l)
+                  frame_balance[k] -= equations->rigid_inertia(k, l) * frame[l];
+                frame_balance[k] *= scale;
+              }
+            out.insert(kinematic, begin);
+            out.insert(balance, begin + n);
+            out.insert(frame_balance, begin + 2 * n);
+            begin += equations->n_unknowns();
+          }
+        result.block(0) -= forces;
+        out.send(result.block(2));
+      }
+
+    private:
+      const MomentumOperator<dim>                           &momentum;
+      const std::vector<typename CoupledSystem<dim>::Body> &bodies;
+      const double                                           scale;
+    };
+
+    template <int dim>
+    class AugmentedLagrangianPreconditioner
+    {
+    public:
+      AugmentedLagrangianPreconditioner(const MomentumOperator<dim> &momentum,
+                                        DirectSolver                &direct_solver,
+                                        const double                 augmentation,
+                                        const double                 scale)
+        : momentum(momentum)
+        , direct_solver(direct_solver)
+        , augmentation(augmentation)
+        , scale(scale)
+      {}
+
+      void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
+      {
+        FieldVector pressure(source.block(1));
+        momentum.apply_inverse_pressure_mass(pressure);
+        pressure *= -augmentation / scale;
+
+        BlockFieldVector rest(source.n_blocks() - 1);
+        rest.block(0) = source.block(0);
+        if (source.n_blocks() == 3)
+          rest.block(1) = source.block(2);
+        rest.collect_sizes();
+        FieldVector gradient;
+        gradient.reinit(rest.block(0));
+        momentum.get_divergence_matrix().Tvmult(gradient, pressure);
+        rest.block(0) -= gradient;
+        direct_solver.solve(rest);
+
+        result.block(0) = rest.block(0);
+        result.block(1) = pressure;
+        if (source.n_blocks() == 3)
+          result.block(2) = rest.block(1);
+      }
+
+    private:
+      const MomentumOperator<dim> &momentum;
+      DirectSolver                &direct_solver;
+      const double                 augmentation, scale;
+    };
+  } // namespace
+
+  template <int dim>
+  CoupledSystem<dim>::CoupledSystem(const SolverParameters      &parameters,
+                                    const FluidSpace<dim>       &space,
+                                    const MomentumOperator<dim> &momentum,
+                                    TimerOutput                 &timer)
+    : parameters(parameters)
+    , space(space)
+    , momentum(momentum)
+    , timer(timer)
+    , direct_solver(space.get_communicator())
+  {}
+
+  template <int dim>
+  void CoupledSystem<dim>::reinit()
+  {
+    direct_solver.clear();
+  }
+
+  template <int dim>
+  bool CoupledSystem<dim>::should_factorise(const bool matrix_changed) const
+  {
+    if (!direct_solver.is_factorized())
+      return true;
+    if (!matrix_changed)
+      return false;
+    if (parameters.reuse == "never")
+      return true;
+    // The iterations of an old factorisation grow by about one a step.
+    const double excess = last_iterations + 1. - exact_iterations;
+    return excess * iteration_time > factorisation_time;
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::factorise(const std::vector<Body> &bodies, const MomentumWeights &weights)
+  {
+    TimerOutput::Scope timer_section(timer, "factorisation");
+    Timer              clock;
+    const double       scale = get_kinematic_scale(weights);
+    Triplets           entries;
+    momentum.append_entries(entries);
+    int        begin   = space.velocity_dofs.n_dofs();
+    const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
+    for (const auto &[interaction, equations] : bodies)
+      {
+        const int n = equations->mass->m(), n_q = equations->rigid_moments.size();
+        const int velocities = begin, forces = begin + n, frame = begin + 2 * n;
+        interaction->for_each_entry(
+          [&](const unsigned int row, const types::global_dof_index column, const double value) {
+            entries.add(velocities + row, column, -scale * value);
+            entries.add(column, forces + row, -value);
+          });
+        if (is_root)
+          {
+            for (const auto &entry : *equations->mass)
+              {
+                entries.add(velocities + entry.row(), velocities + entry.column(),
+                            scale * entry.value());
+                entries.add(forces + entry.row(), forces + entry.column(), entry.value());
+              }
+            for (const auto &entry : *equations->response)
+              entries.add(forces + entry.row(), velocities + entry.column(), entry.value());
+            for (int k = 0; k < n_q; ++k)
+              {
+                for (int i = 0; i < n; ++i)
+                  {
+                    entries.add(forces + i, frame + k,
+                                -equations->gait_damping * equations->rigid_moments[k][i]);
+                    entries.add(frame + k, velocities + i, scale * equations->rigid_moments[k][i]);
+                  }
+                for (int l = 0; l < n_q; ++l)
+                  entries.add(frame + k, frame + l, -scale * equations->rigid_inertia(k, l));
+              }
+          }
+        begin += equations->n_unknowns();
+      }
+    direct_solver.factorize(begin, entries);
+    ++n_factorisations;
+    factorisation_time = Utilities::MPI::max(clock.wall_time(), space.get_communicator());
+  }
+
+  template <int dim>
+  unsigned int CoupledSystem<dim>::solve(FieldVector             &momentum_residual,
+                                         FieldVector             &divergence,
+                                         const std::vector<Body> &bodies,
+                                         const MomentumWeights   &weights,
+                                         const double             forces_scale,
+                                         const bool               matrix_changed)
+  {
+    const double scale    = get_kinematic_scale(weights);
+    MPI_Comm     comm     = space.get_communicator();
+    const bool   is_root  = Utilities::MPI::this_mpi_process(comm) == 0;
+    unsigned int n_bodies = 0;
+    for (const auto &body : bodies)
+      n_bodies += body.equations->n_unknowns();
+
+    BlockFieldVector rhs(bodies.empty() ? 2 : 3), solution(rhs.n_blocks());
+    rhs.block(0) = momentum_residual;
+    rhs.block(1) = divergence;
+    rhs.block(1) *= scale;
+    BodyVector body_vector(comm, n_bodies);
+    if (!bodies.empty())
+      {
+        unsigned int begin = 0;
+        for (const auto &[interaction, equations] : bodies)
+          {
+            const unsigned int n = equations->mass->m();
+            equations->velocity *= scale;
+            equations->frame_velocity *= scale;
+            body_vector.insert(equations->velocity, begin);
+            body_vector.insert(equations->force_density, begin + n);
+            body_vector.insert(equations->frame_velocity, begin + 2 * n);
+            begin += equations->n_unknowns();
+          }
+        IndexSet owned(n_bodies);
+        if (is_root)
+          owned.add_range(0, n_bodies);
+        rhs.block(2).reinit(owned, comm);
+        body_vector.send(rhs.block(2));
+      }
+    rhs.collect_sizes();
+    solution.reinit(rhs);
+
+    bool is_new = should_factorise(matrix_changed);
+    if (is_new)
+      factorise(bodies, weights);
+    const SystemOperator<dim> system(momentum, bodies, scale);
+    for (;;)
+      {
+        TimerOutput::Scope timer_section(timer, "iterations");
+        Timer              clock;
+        const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
+                                                                    weights.augmentation, scale);
+        SolverControl control(parameters.largest_number_of_iterations,
+                              parameters.tolerance * forces_scale, false, false);
+        SolverFGMRES<BlockFieldVector> solver(control);
+        try
+          {
+            solution = 0;
+            solver.solve(system, solution, rhs, preconditioner);
+            last_iterations = control.last_step();
+            if (is_new)
+              exact_iterations = last_iterations;
+            iteration_time = Utilities::MPI::max(clock.wall_time(), comm) / (last_iterations + 1);
+            break;
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            if (is_new)
+              throw;
+          }
+        factorise(bodies, weights);
+        is_new = true;
+      }
+
+    momentum_residual = solution.block(0);
+    divergence        = solution.block(1);
+    if (!bodies.empty())
+      {
+        body_vector.receive(solution.block(2));
+        unsigned int begin = 0;
+        for (const auto &[interaction, equations] : bodies)
+          {
+            const unsigned int n      = equations->mass->m();
+            equations->velocity       = body_vector.extract(begin, n);
+            equations->force_density  = body_vector.extract(begin + n, n);
+            equations->frame_velocity = body_vector.extract(begin + 2 * n, equations->rigid_moments.size());
+            begin += equations->n_unknowns();
+          }
+      }
+    return last_iterations;
+  }
+
+  template class CoupledSystem<2>;
+  template class CoupledSystem<3>;
+} // namespace caudal

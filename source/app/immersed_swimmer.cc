@@ -1,0 +1,227 @@
+#include <caudal/app/immersed_swimmer.h>
+
+#include <caudal/io/progress.h>
+
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <iomanip>
+
+namespace caudal
+{
+  template <int dim>
+  ImmersedSwimmer<dim>::ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , triangulation(communicator)
+    , lattice(parameters.domain)
+    , space(triangulation, parameters.domain, parameters.fluid)
+    , momentum(space)
+    , coupled_system(parameters.solver, space, momentum, timer)
+    , system{space, momentum, coupled_system, fluid, bodies, lattice, finest_cells, parameters.solver, timer}
+    , adaptation(triangulation, space, parameters.refinement, system)
+    , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system) :
+                                             create_semi_implicit_scheme<dim>(system))
+  {
+    make_domain(triangulation, parameters.domain);
+    AssertThrow(triangulation.n_global_active_cells() >=
+                  Utilities::MPI::n_mpi_processes(communicator),
+                ExcMessage("Domain/Cells: there are " +
+                           std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
+                           " ranks, but only " +
+                           std::to_string(triangulation.n_global_active_cells()) +
+                           " coarse cells. Run on fewer ranks or give more cells."));
+    for (const auto &body : parameters.bodies)
+      bodies.push_back(std::make_unique<SwimmingBody<dim>>(*body, parameters.coupling,
+                                                           parameters.fluid.density, communicator));
+    check_bodies();
+    adaptation.make_initial_grid();
+    start_bodies();
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::check_bodies() const
+  {
+    const Point<dim> &lower = parameters.domain.lower_corner;
+    const Point<dim>  upper = lower + parameters.domain.size;
+    const BoundingBox<dim> domain({lower, upper});
+    for (const auto &body : bodies)
+      for (const auto &node : body->solid.get_nodes())
+        {
+          Point<dim> point;
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] = body->solid.positions[node[d]];
+          std::ostringstream place;
+          place << "(" << point << ")";
+          AssertThrow(domain.point_inside(point),
+                      ExcMessage("Body " + body->get_name() + "/Shape/Position: the body reaches the point " +
+                                 place.str() + ", which is outside of the domain. Move the body, or "
+                                 "change Domain/Size."));
+          for (const auto &other : bodies)
+            if (other != body)
+              {
+                AssertThrow(!other->solid.contains_at_start(point),
+                            ExcMessage("Body " + body->get_name() + "/Shape/Position: the body overlaps "
+                                       "with body " + other->get_name() + " at " + place.str() +
+                                       ". Place them apart."));
+              }
+        }
+  }
+
+  /** In an initial flow the bodies move with it. */
+  template <int dim>
+  void ImmersedSwimmer<dim>::start_bodies()
+  {
+    for (const auto &body : bodies)
+      {
+        SolidBody<dim> &solid = body->solid;
+        body->interaction.reinit(*finest_cells, space.velocity_dofs, space.constraints, fluid.velocity,
+                                 solid.get_dof_handler(), solid.positions, body->get_name());
+        body->interaction.interpolate(fluid.velocity, solid.velocity);
+        solid.apply_inverse_mass(solid.velocity);
+        solid.old_velocity = solid.velocity;
+      }
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::print_summary(std::ostream &out) const
+  {
+    std::vector<unsigned int> cells_per_level(parameters.domain.levels, 0);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        ++cells_per_level[cell->level()];
+    Utilities::MPI::sum(cells_per_level, communicator, cells_per_level);
+    const Tensor<1, dim> spacing = parameters.domain.get_finest_spacing();
+    out << "Fluid: " << triangulation.n_global_active_cells() << " cells (by level";
+    for (const unsigned int n : cells_per_level)
+      out << ' ' << n;
+    out << "), " << space.velocity_dofs.n_dofs() << " velocity and " << space.pressure_dofs.n_dofs()
+        << " pressure unknowns, finest spacing " << spacing << " m\n";
+    for (const auto &body : bodies)
+      {
+        const SolidBody<dim> &solid  = body->solid;
+        const BodyExtent      extent = compute_extent(solid.get_triangulation());
+        out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
+            << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
+            << (dim == 2 ? " m^2" : " m^3") << ", length " << extent.length << " m\n";
+        const double width = 4 * body->interaction.get_support() * spacing.norm() / std::sqrt(dim);
+        for (unsigned int r = 0; r < extent.region_thickness.size(); ++r)
+          if (extent.region_thickness[r] < width)
+            out << "Warning: region " << solid.get_parameters().regions[r] << " of body "
+                << body->get_name() << " is " << extent.region_thickness[r]
+                << " m thick at its thinnest, less than the width " << width
+                << " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
+                   "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).\n";
+      }
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::adapt_grid(const TimeStepper &stepper, Log &log)
+  {
+    const bool is_due = stepper.get_step_number() > 0 &&
+                        stepper.get_step_number() % parameters.refinement.interval == 0;
+    if (!is_due && !adaptation.is_needed())
+      return;
+    const AdaptationReport report = adaptation.adapt(stepper.get_time(), stepper.get_step());
+    if (report.changed && !(std::abs(report.momentum_change) < 1e-3))
+      log << "Warning: adapting the grid at t = " << stepper.get_time()
+          << " s changed the momentum by " << report.momentum_change
+          << " of that of the fastest flow, the kinetic energy by " << report.kinetic_energy_change
+          << " J/m.\n";
+  }
+
+  template <int dim>
+  StepResult ImmersedSwimmer<dim>::advance(TimeStepper &stepper, Log &log)
+  {
+    for (;;)
+      {
+        std::string reason;
+        try
+          {
+            return scheme->advance(stepper);
+          }
+        catch (const SolverControl::NoConvergence &exception)
+          {
+            reason = "The linear solver did not converge (residual " +
+                     std::to_string(exception.last_residual) +
+                     "; Solver/Largest number of iterations).";
+          }
+        catch (const ExceptionBase &exception)
+          {
+            std::ostringstream text;
+            exception.print_info(text);
+            reason = Utilities::trim(text.str());
+          }
+        log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
+            << " s failed. " << reason << std::endl;
+        stepper.reject(reason);
+      }
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::run_to_end(TimeStepper                 &stepper,
+                                        RunOutput<dim>              &output,
+                                        Log                         &log,
+                                        const std::function<bool()> &stop_requested)
+  {
+    Progress progress(is_terminal() ? std::cout : log.get_stream(), 0, parameters.time.end_time,
+                      is_terminal());
+    const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
+    while (!stepper.is_at_end() && !stop_requested())
+      {
+        adapt_grid(stepper, log);
+        const StepResult result = advance(stepper, log);
+        scheme->accept(stepper.get_step());
+        stepper.accept(result.indicators);
+        output.report_step(stepper, result, triangulation.n_global_active_cells());
+
+        std::ostringstream details;
+        details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
+                << triangulation.n_global_active_cells() << " cells, " << result.iterations
+                << " iterations, max |u| " << output.get_largest_velocity() << " m/s";
+        if (is_root)
+          progress.update(stepper.get_time(), stepper.get_step_number(), details.str());
+      }
+    if (is_root)
+      progress.finish();
+  }
+
+  template <int dim>
+  Outcome ImmersedSwimmer<dim>::run(const OutputFolder          &folder,
+                                    Log                         &log,
+                                    const std::function<bool()> &stop_requested)
+  {
+    print_summary(log.get_stream());
+    log << std::endl;
+    TimeStepper    stepper(parameters.time);
+    RunOutput<dim> output(parameters, system, folder, log);
+    output.write_fields(0);
+    try
+      {
+        run_to_end(stepper, output, log, stop_requested);
+      }
+    catch (...)
+      {
+        log << "The last good state, at t = " << stepper.get_time() << " s, is written to "
+            << folder.path() << "." << std::endl;
+        output.write_fields(stepper.get_time());
+        output.finish();
+        throw;
+      }
+    output.write_fields(stepper.get_time());
+    output.finish();
+
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    log << "\n" << stepper.get_step_number() << " steps, " << coupled_system.get_n_factorisations()
+        << " factorisations of up to " << coupled_system.get_factor_entries()
+        << " entries, largest memory "
+        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024 << " MiB on all ranks." << std::endl;
+    timer.print_summary();
+    return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
+  }
+
+  template class ImmersedSwimmer<2>;
+  template class ImmersedSwimmer<3>;
+} // namespace caudal

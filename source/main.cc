@@ -1,0 +1,136 @@
+#include <caudal/app/immersed_swimmer.h>
+#include <caudal/base/command_line.h>
+#include <caudal/base/declared_parameters.h>
+
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <thread>
+
+namespace
+{
+  using namespace caudal;
+
+  volatile std::sig_atomic_t stop_signal = 0;
+
+  /** Exit codes. */
+  enum Exit
+  {
+    finished = 0,
+    failed   = 1,
+    stopped  = 2
+  };
+
+  /** SIGINT and SIGTERM, and SIGUSR1 as which scripts/swim forwards them through mpirun. */
+  void catch_signals()
+  {
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+      std::signal(signal, [](int) { stop_signal = 1; });
+  }
+
+  /** All ranks stop if one has got the signal. */
+  bool stop_requested()
+  {
+    return Utilities::MPI::max(static_cast<int>(stop_signal), MPI_COMM_WORLD) > 0;
+  }
+
+  /**
+   * Rank 0 speaks for all. An error that only some other ranks have met would
+   * leave rank 0 waiting for them: then they speak and end the run.
+   */
+  void report_error(const std::string &error)
+  {
+    const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (!is_root)
+      std::this_thread::sleep_for(std::chrono::seconds(2));
+    std::cerr << "Error: " << error << std::endl;
+    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      MPI_Abort(MPI_COMM_WORLD, failed);
+  }
+
+  template <int dim>
+  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  {
+    RunParameters<dim> parameters(&file);
+    ParameterHandler   prm;
+    parameters.declare(prm);
+    file.parse(prm);
+    parameters.check();
+    if (command_line.action == CommandLine::Action::check)
+      {
+        const ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
+        std::ostringstream         summary;
+        swimmer.print_summary(summary);
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::cout << summary.str() << command_line.file << ": nothing speaks against a run.\n";
+        return finished;
+      }
+
+    // What can be wrong with the case is found before anything is written.
+    ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
+    const OutputFolder   folder(parameters.output.folder, MPI_COMM_WORLD);
+    std::ostringstream   used_parameters;
+    prm.print_parameters(used_parameters, ParameterHandler::PRM);
+    folder.write_parameters(used_parameters.str());
+    Log log(folder.path("log.txt"), MPI_COMM_WORLD);
+    log.print_banner();
+    for (const std::string &override_text : file.get_overrides())
+      log << "Override: " << override_text << std::endl;
+    return swimmer.run(folder, log, stop_requested) == Outcome::finished ? finished : stopped;
+  }
+
+  Exit run(const int argc, char **argv)
+  {
+    const CommandLine command_line = parse_command_line(argc, argv);
+    const bool        is_root      = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (command_line.action == CommandLine::Action::help)
+      {
+        if (is_root)
+          std::cout << get_help();
+        return finished;
+      }
+    if (command_line.action == CommandLine::Action::version)
+      {
+        if (is_root)
+          std::cout << get_version() << std::endl;
+        return finished;
+      }
+    std::unique_ptr<ParameterFile> file;
+    if (!command_line.file.empty())
+      file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    if (command_line.action == CommandLine::Action::print_parameters)
+      {
+        RunParameters<2> parameters(file.get());
+        ParameterHandler prm;
+        parameters.declare(prm);
+        if (is_root)
+          print_parameters(std::cout, prm, command_line.format);
+        return finished;
+      }
+    return get_dimension(*file) == 2 ? run_model<2>(*file, command_line) :
+                                       run_model<3>(*file, command_line);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  catch_signals();
+  std::string error;
+  try
+    {
+      return run(argc, argv);
+    }
+  catch (const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      error = dealii::Utilities::trim(text.str());
+    }
+  catch (const std::exception &exception)
+    {
+      error = exception.what();
+    }
+  report_error(error);
+  return failed;
+}
