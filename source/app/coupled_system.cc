@@ -316,7 +316,8 @@ namespace caudal
     rhs.collect_sizes();
     solution.reinit(rhs);
 
-    bool is_new = should_factorise(matrix_changed);
+    const double reference = std::max(forces_scale, rhs.l2_norm());
+    bool         is_new    = should_factorise(matrix_changed);
     if (is_new)
       factorise(bodies, weights);
     const SystemOperator<dim> system(momentum, bodies, scale);
@@ -327,7 +328,7 @@ namespace caudal
         const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
                                                                     weights.augmentation, scale);
         SolverControl control(parameters.largest_number_of_iterations,
-                              parameters.tolerance * forces_scale, false, false);
+                              parameters.tolerance * reference, false, false);
         SolverFGMRES<BlockFieldVector> solver(control);
         try
           {

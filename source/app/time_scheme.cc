@@ -45,13 +45,12 @@ namespace caudal
         body->interaction.spread(body->new_force_density, forces);
         scale += forces.l2_norm();
       }
-    scale += residual.l2_norm();
 
     FieldVector divergence = system.space.make_pressure_vector();
     system.momentum.compute_divergence(new_velocity, divergence);
     divergence *= -1;
     const unsigned int iterations = system.coupled_system.solve(residual, divergence, coupled, weights,
-                                                                scale + 1e-100, matrix_changed);
+                                                                scale, matrix_changed);
     system.space.homogeneous_constraints.distribute(residual);
     new_velocity += residual;
     new_pressure -= divergence;

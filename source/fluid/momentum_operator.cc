@@ -373,9 +373,17 @@ namespace caudal
   template <int dim>
   void MomentumOperator<dim>::append_entries(Triplets &entries) const
   {
-    for (const auto row : matrix.locally_owned_range_indices())
-      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-        entries.add(row, entry->column(), entry->value());
+    // Epetra's views of rows: the iterators of the wrapper copy each row.
+    const Epetra_CrsMatrix &epetra_matrix = matrix.trilinos_matrix();
+    for (int row = 0; row < epetra_matrix.NumMyRows(); ++row)
+      {
+        int     n_entries;
+        int    *columns;
+        double *values;
+        epetra_matrix.ExtractMyRowView(row, n_entries, values, columns);
+        for (int k = 0; k < n_entries; ++k)
+          entries.add(epetra_matrix.GRID(row), epetra_matrix.GCID(columns[k]), values[k]);
+      }
   }
 
   template class MomentumOperator<2>;

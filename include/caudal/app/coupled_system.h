@@ -78,7 +78,7 @@ namespace caudal
      * Solves for the corrections. @p momentum_residual (r_u) becomes du,
      * @p divergence (r_p) becomes dq, the right hand sides of the @p bodies
      * their corrections. @p scale: the norm of the forces to which the
-     * residual is compared. @p matrix_changed: whether the system is another
+     * residual is compared, at least that of the right hand side. @p matrix_changed: whether the system is another
      * one than in the last call. Returns the number of iterations; throws
      * SolverControl::NoConvergence.
      */
@@ -101,7 +101,6 @@ namespace caudal
     DirectSolver                 direct_solver;
 
     // What decides whether a factorisation is reused (wall time, s).
-    bool         factorisation_is_exact = false;
     double       factorisation_time = 0, iteration_time = 0;
     unsigned int last_iterations = 0, n_factorisations = 0;
     unsigned int exact_iterations = 0;
