@@ -221,9 +221,7 @@ namespace caudal
       return false;
     if (parameters.reuse == "never")
       return true;
-    // The iterations of an old factorisation grow by about one a step.
-    const double excess = last_iterations + 1. - exact_iterations;
-    return excess * iteration_time > factorisation_time;
+    return steps_until_reuse > 0;
   }
 
   template <int dim>
@@ -275,6 +273,44 @@ namespace caudal
   }
 
   template <int dim>
+  unsigned int CoupledSystem<dim>::iterate(BlockFieldVector        &solution,
+                                           const BlockFieldVector  &rhs,
+                                           const std::vector<Body> &bodies,
+                                           const MomentumWeights   &weights,
+                                           const double             reference,
+                                           const unsigned int       n_affordable)
+  {
+    TimerOutput::Scope timer_section(timer, "iterations");
+    Timer              clock;
+    const double       scale = get_kinematic_scale(weights);
+    const SystemOperator<dim>                    system(momentum, bodies, scale);
+    const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
+                                                                weights.augmentation, scale);
+    SolverControl control(n_affordable, parameters.tolerance * reference, false, false);
+    SolverFGMRES<BlockFieldVector> solver(control);
+    unsigned int                   iterations = n_affordable + 1;
+    try
+      {
+        solver.solve(system, solution, rhs, preconditioner);
+        iterations = control.last_step();
+      }
+    catch (const SolverControl::NoConvergence &)
+      {} // the number of iterations tells
+    last_residual  = control.last_value();
+    iteration_time = Utilities::MPI::max(clock.wall_time(), space.get_communicator()) /
+                     (control.last_step() + 1);
+    return iterations;
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::update_reuse(const bool succeeded)
+  {
+    // Where an old factorisation was not worth it, the next try comes later.
+    reuse_pause       = succeeded ? 1 : std::min(2 * reuse_pause, 64u);
+    steps_until_reuse = succeeded ? 0 : reuse_pause;
+  }
+
+  template <int dim>
   unsigned int CoupledSystem<dim>::solve(FieldVector             &momentum_residual,
                                          FieldVector             &divergence,
                                          const std::vector<Body> &bodies,
@@ -318,36 +354,28 @@ namespace caudal
 
     const double reference = std::max(forces_scale, rhs.l2_norm());
     bool         is_new    = should_factorise(matrix_changed);
+    unsigned int n_affordable = parameters.largest_number_of_iterations;
     if (is_new)
       factorise(bodies, weights);
-    const SystemOperator<dim> system(momentum, bodies, scale);
-    for (;;)
+    else if (matrix_changed)
+      n_affordable = exact_iterations + factorisation_time / std::max(iteration_time, 1e-6);
+    unsigned int iterations = iterate(solution, rhs, bodies, weights, reference, n_affordable);
+    if (!is_new && matrix_changed)
+      update_reuse(iterations <= n_affordable);
+    if (iterations > n_affordable && !is_new)
       {
-        TimerOutput::Scope timer_section(timer, "iterations");
-        Timer              clock;
-        const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
-                                                                    weights.augmentation, scale);
-        SolverControl control(parameters.largest_number_of_iterations,
-                              parameters.tolerance * reference, false, false);
-        SolverFGMRES<BlockFieldVector> solver(control);
-        try
-          {
-            solution = 0;
-            solver.solve(system, solution, rhs, preconditioner);
-            last_iterations = control.last_step();
-            if (is_new)
-              exact_iterations = last_iterations;
-            iteration_time = Utilities::MPI::max(clock.wall_time(), comm) / (last_iterations + 1);
-            break;
-          }
-        catch (const SolverControl::NoConvergence &)
-          {
-            if (is_new)
-              throw;
-          }
         factorise(bodies, weights);
-        is_new = true;
+        is_new     = true;
+        solution   = 0;
+        iterations = iterate(solution, rhs, bodies, weights, reference,
+                             parameters.largest_number_of_iterations);
       }
+    else if (is_new && steps_until_reuse > 0)
+      --steps_until_reuse;
+    if (is_new)
+      exact_iterations = iterations;
+    if (iterations > parameters.largest_number_of_iterations)
+      throw SolverControl::NoConvergence(iterations, last_residual);
 
     momentum_residual = solution.block(0);
     divergence        = solution.block(1);
@@ -364,7 +392,7 @@ namespace caudal
             begin += equations->n_unknowns();
           }
       }
-    return last_iterations;
+    return iterations;
   }
 
   template class CoupledSystem<2>;

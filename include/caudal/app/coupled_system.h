@@ -102,11 +102,23 @@ namespace caudal
 
     // What decides whether a factorisation is reused (wall time, s).
     double       factorisation_time = 0, iteration_time = 0;
-    unsigned int last_iterations = 0, n_factorisations = 0;
-    unsigned int exact_iterations = 0;
+    unsigned int exact_iterations = 0, n_factorisations = 0;
+    unsigned int steps_until_reuse = 0, reuse_pause = 1;
+    double       last_residual = 0;
 
     bool should_factorise(bool matrix_changed) const;
     void factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
+
+    /** FGMRES; more than @p n_affordable iterations are returned if these did not do. */
+    unsigned int iterate(BlockFieldVector        &solution,
+                         const BlockFieldVector  &rhs,
+                         const std::vector<Body> &bodies,
+                         const MomentumWeights   &weights,
+                         double                   reference,
+                         unsigned int             n_affordable);
+
+    /** Draws the lesson from an attempt to reuse a factorisation. */
+    void update_reuse(bool succeeded);
   };
 } // namespace caudal
 
