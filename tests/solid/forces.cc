@@ -1,0 +1,192 @@
+// The assembled forces of a body: none from a rigid motion, balanced ones from
+// any deformation, and the tangent of elastic and active forces against
+// differences.
+
+#include <caudal/solid/elasticity.h>
+#include <caudal/solid/rigid_motion.h>
+
+#include <iostream>
+
+using namespace caudal;
+
+namespace
+{
+  template <int dim>
+  struct Setup
+  {
+    Setup()
+        : parameters("test", {"front", "back"})
+    {
+      parameters.grid.type              = "beam";
+      parameters.grid.thickness         = 0.3;
+      parameters.grid.width             = 0.4;
+      parameters.grid.elements          = std::vector<unsigned int>(dim, 2);
+      parameters.grid.region_boundaries = {0.5};
+      parameters.grid.rotation          = 30;
+      parameters.polynomial_degree      = 2;
+      MaterialParameters &front         = parameters.region_parameters[0]->material;
+      front.youngs_modulus              = 3;
+      front.volumetric_stabilisation    = 5;
+      MaterialParameters &back          = parameters.region_parameters[1]->material;
+      back.material                     = "St. Venant-Kirchhoff";
+      back.shear_modulus                = 2;
+      body                              = std::make_unique<SolidBody<dim>>(parameters, 1.);
+      system.reinit(body->get_sparsity_pattern());
+
+      load.force_density = [](const Point<dim> &s, types::material_id) {
+        return Tensor<1, dim>(s * s[0]);
+      };
+      load.stress = [](const Point<dim> &s, types::material_id region) {
+        Tensor<2, dim> stress;
+        stress[0][0] = 0.5 + s[1];
+        stress[0][1] = stress[1][0] = 0.2 * region;
+        return stress;
+      };
+    }
+
+    Vector<double> map(const std::function<Tensor<1, dim>(const Tensor<1, dim> &)> &mapping) const
+    {
+      Vector<double> x(body->n_dofs());
+      for (const auto &node : body->get_nodes())
+      {
+        Tensor<1, dim> old;
+        for (unsigned int d = 0; d < dim; ++d)
+          old[d] = body->initial_positions[node[d]];
+        const Tensor<1, dim> place = mapping(old);
+        for (unsigned int d = 0; d < dim; ++d)
+          x[node[d]] = place[d];
+      }
+      return x;
+    }
+
+    /** The sum of the forces on all nodes, and their moments about the origin. */
+    std::pair<double, double> get_resultant(const Vector<double> &force,
+                                            const Vector<double> &x) const
+    {
+      Tensor<1, dim> total;
+      Tensor<2, dim> moment;
+      for (const auto &node : body->get_nodes())
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          total[d] += force[node[d]];
+          for (unsigned int e = 0; e < dim; ++e)
+            moment[d][e] += x[node[d]] * force[node[e]] - x[node[e]] * force[node[d]];
+        }
+      return {total.norm(), moment.norm()};
+    }
+
+    SolidParameters<dim>            parameters;
+    std::unique_ptr<SolidBody<dim>> body;
+    ElasticSystem                   system;
+    ActiveLoad<dim>                 load;
+  };
+
+  template <int dim>
+  Tensor<2, dim> make_rotation()
+  {
+    Tensor<2, dim> rotation = unit_symmetric_tensor<dim>();
+    rotation[0][0] = rotation[1][1] = std::cos(2.);
+    rotation[0][1]                  = -std::sin(2.);
+    rotation[1][0]                  = std::sin(2.);
+    return rotation;
+  }
+
+  template <int dim>
+  void test_rigid_motion(Setup<dim> &setup)
+  {
+    const SolidBody<dim> &body     = *setup.body;
+    const Tensor<2, dim>  rotation = make_rotation<dim>();
+    const Vector<double>  x        = setup.map(
+        [&](const Tensor<1, dim> &old) { return rotation * old + 3 * Point<dim>::unit_vector(0); });
+    assemble_elastic_system(body, x, {}, false, setup.system);
+    const auto summary = summarise_deformation(body, x);
+    std::cout << "  rigid motion: no elastic force "
+              << (setup.system.elastic_force.linfty_norm() < 1e-13) << ", no energy "
+              << (std::abs(summary.elastic_energy) < 1e-14) << ", J " << summary.smallest_jacobian
+              << " to " << summary.largest_jacobian << '\n';
+    const auto fit = fit_rigid_motion(body, body.get_nodes(), body.initial_positions, x);
+    std::cout << "  fitted rotation is it: " << ((fit.rotation - rotation).norm() < 1e-13) << '\n';
+  }
+
+  template <int dim>
+  void test_deformation(Setup<dim> &setup)
+  {
+    const SolidBody<dim> &body = *setup.body;
+    const Vector<double>  x    = setup.map([](const Tensor<1, dim> &old) {
+      Tensor<1, dim> place = 1.1 * old;
+      for (unsigned int d = 0; d < dim; ++d)
+        place[d] += 0.1 * std::sin(3 * old[(d + 1) % dim]);
+      return place;
+    });
+    assemble_elastic_system(body, x, {}, true, setup.system);
+    const auto [elastic_force, elastic_moment] = setup.get_resultant(setup.system.elastic_force, x);
+    double asymmetry                           = 0;
+    for (const auto &entry : setup.system.stiffness)
+      asymmetry = std::max(
+          asymmetry, std::abs(entry.value() - setup.system.stiffness(entry.column(), entry.row())));
+    std::cout << "  elastic forces " << (setup.system.elastic_force.linfty_norm() > 0.01)
+              << ", in balance " << (elastic_force < 1e-13) << (elastic_moment < 1e-13)
+              << ", derivatives of an energy " << (asymmetry < 1e-12) << '\n';
+
+    // Active stress alone has no resultant; force density has that of int f.
+    ActiveLoad<dim> stress_only;
+    stress_only.stress = setup.load.stress;
+    assemble_elastic_system(body, x, stress_only, false, setup.system);
+    const auto [active_force, active_moment] = setup.get_resultant(setup.system.active_force, x);
+    ActiveLoad<dim> force_only;
+    force_only.force_density = setup.load.force_density;
+    assemble_elastic_system(body, x, force_only, false, setup.system);
+    const auto [total_force, total_moment] = setup.get_resultant(setup.system.active_force, x);
+    std::cout << "  active stress in balance " << (active_force < 1e-13) << (active_moment < 1e-13)
+              << ", resultant of the force density " << total_force << '\n';
+
+    assemble_elastic_system(body, x, setup.load, true, setup.system);
+    const ElasticSystem &system = setup.system;
+    Vector<double> direction(body.n_dofs()), tangent(body.n_dofs()), differences(body.n_dofs());
+    for (unsigned int i = 0; i < direction.size(); ++i)
+      direction[i] = std::sin(1 + i);
+    system.stiffness.vmult(tangent, direction);
+    const double  step = 1e-5;
+    ElasticSystem moved;
+    moved.reinit(body.get_sparsity_pattern());
+    for (const int sign : {1, -1})
+    {
+      Vector<double> y(x);
+      y.add(sign * step, direction);
+      assemble_elastic_system(body, y, setup.load, false, moved);
+      differences.add(-sign / (2 * step), moved.elastic_force, -sign / (2 * step),
+                      moved.active_force);
+    }
+    differences -= tangent;
+    std::cout << "  tangent equals differences: "
+              << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << '\n';
+  }
+
+  template <int dim>
+  void test()
+  {
+    std::cout << dim << "D\n";
+    Setup<dim> setup;
+    test_rigid_motion(setup);
+    test_deformation(setup);
+    try
+    {
+      const Vector<double> x = setup.map([](const Tensor<1, dim> &old) {
+        Tensor<1, dim> place = old;
+        place[1] *= -1;
+        return place;
+      });
+      assemble_elastic_system(*setup.body, x, {}, false, setup.system);
+    }
+    catch (const ExcInvertedElement &)
+    {
+      std::cout << "  a mirrored body: an exception\n";
+    }
+  }
+} // namespace
+
+int main()
+{
+  test<2>();
+  test<3>();
+}
