@@ -318,81 +318,93 @@ namespace caudal
                                          const double             forces_scale,
                                          const bool               matrix_changed)
   {
-    const double scale    = get_kinematic_scale(weights);
-    MPI_Comm     comm     = space.get_communicator();
-    const bool   is_root  = Utilities::MPI::this_mpi_process(comm) == 0;
-    unsigned int n_bodies = 0;
-    for (const auto &body : bodies)
-      n_bodies += body.equations->n_unknowns();
-
+    const double     scale = get_kinematic_scale(weights);
     BlockFieldVector rhs(bodies.empty() ? 2 : 3), solution(rhs.n_blocks());
     rhs.block(0) = momentum_residual;
     rhs.block(1) = divergence;
     rhs.block(1) *= scale;
-    BodyVector body_vector(comm, n_bodies);
     if (!bodies.empty())
-      {
-        unsigned int begin = 0;
-        for (const auto &[interaction, equations] : bodies)
-          {
-            const unsigned int n = equations->mass->m();
-            equations->velocity *= scale;
-            equations->frame_velocity *= scale;
-            body_vector.insert(equations->velocity, begin);
-            body_vector.insert(equations->force_density, begin + n);
-            body_vector.insert(equations->frame_velocity, begin + 2 * n);
-            begin += equations->n_unknowns();
-          }
-        IndexSet owned(n_bodies);
-        if (is_root)
-          owned.add_range(0, n_bodies);
-        rhs.block(2).reinit(owned, comm);
-        body_vector.send(rhs.block(2));
-      }
+      rhs.block(2) = collect_right_hand_sides(bodies, scale);
     rhs.collect_sizes();
     solution.reinit(rhs);
 
-    const double reference = std::max(forces_scale, rhs.l2_norm());
-    bool         is_new    = should_factorise(matrix_changed);
-    unsigned int n_affordable = parameters.largest_number_of_iterations;
-    if (is_new)
-      factorise(bodies, weights);
-    else if (matrix_changed)
-      n_affordable = exact_iterations + factorisation_time / std::max(iteration_time, 1e-6);
-    unsigned int iterations = iterate(solution, rhs, bodies, weights, reference, n_affordable);
-    if (!is_new && matrix_changed)
-      update_reuse(iterations <= n_affordable);
-    if (iterations > n_affordable && !is_new)
+    const double       reference  = std::max(forces_scale, rhs.l2_norm());
+    const bool         reuses     = !should_factorise(matrix_changed);
+    const unsigned int n_possible = parameters.largest_number_of_iterations;
+    unsigned int       iterations = n_possible + 1;
+    if (reuses)
+      {
+        // A new factorisation would cost as much as this many iterations.
+        const unsigned int n_affordable =
+          matrix_changed ? exact_iterations + factorisation_time / std::max(iteration_time, 1e-6) :
+                           n_possible;
+        iterations = iterate(solution, rhs, bodies, weights, reference, n_affordable);
+        if (matrix_changed)
+          update_reuse(iterations <= n_affordable);
+        if (iterations > n_affordable)
+          iterations = n_possible + 1;
+      }
+    if (iterations > n_possible)
       {
         factorise(bodies, weights);
-        is_new     = true;
-        solution   = 0;
-        iterations = iterate(solution, rhs, bodies, weights, reference,
-                             parameters.largest_number_of_iterations);
+        solution         = 0;
+        iterations       = iterate(solution, rhs, bodies, weights, reference, n_possible);
+        exact_iterations = iterations;
+        if (!reuses && steps_until_reuse > 0)
+          --steps_until_reuse;
       }
-    else if (is_new && steps_until_reuse > 0)
-      --steps_until_reuse;
-    if (is_new)
-      exact_iterations = iterations;
-    if (iterations > parameters.largest_number_of_iterations)
+    if (iterations > n_possible)
       throw SolverControl::NoConvergence(iterations, last_residual);
 
     momentum_residual = solution.block(0);
     divergence        = solution.block(1);
     if (!bodies.empty())
-      {
-        body_vector.receive(solution.block(2));
-        unsigned int begin = 0;
-        for (const auto &[interaction, equations] : bodies)
-          {
-            const unsigned int n      = equations->mass->m();
-            equations->velocity       = body_vector.extract(begin, n);
-            equations->force_density  = body_vector.extract(begin + n, n);
-            equations->frame_velocity = body_vector.extract(begin + 2 * n, equations->rigid_moments.size());
-            begin += equations->n_unknowns();
-          }
-      }
+      return_corrections(solution.block(2), bodies);
     return iterations;
+  }
+
+  template <int dim>
+  FieldVector CoupledSystem<dim>::collect_right_hand_sides(const std::vector<Body> &bodies,
+                                                           const double             scale) const
+  {
+    unsigned int size = 0;
+    for (const auto &body : bodies)
+      size += body.equations->n_unknowns();
+    BodyVector   values(space.get_communicator(), size);
+    unsigned int begin = 0;
+    for (const auto &[interaction, equations] : bodies)
+      {
+        const unsigned int n = equations->mass->m();
+        equations->velocity *= scale;
+        equations->frame_velocity *= scale;
+        values.insert(equations->velocity, begin);
+        values.insert(equations->force_density, begin + n);
+        values.insert(equations->frame_velocity, begin + 2 * n);
+        begin += equations->n_unknowns();
+      }
+    IndexSet owned(size);
+    if (Utilities::MPI::this_mpi_process(space.get_communicator()) == 0)
+      owned.add_range(0, size);
+    FieldVector result(owned, space.get_communicator());
+    values.send(result);
+    return result;
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::return_corrections(const FieldVector       &corrections,
+                                              const std::vector<Body> &bodies) const
+  {
+    BodyVector values(space.get_communicator(), corrections.size());
+    values.receive(corrections);
+    unsigned int begin = 0;
+    for (const auto &[interaction, equations] : bodies)
+      {
+        const unsigned int n      = equations->mass->m();
+        equations->velocity       = values.extract(begin, n);
+        equations->force_density  = values.extract(begin + n, n);
+        equations->frame_velocity = values.extract(begin + 2 * n, equations->rigid_moments.size());
+        begin += equations->n_unknowns();
+      }
   }
 
   template class CoupledSystem<2>;

@@ -13,7 +13,7 @@ namespace caudal
   ImmersedSwimmer<dim>::ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator)
     : parameters(parameters)
     , communicator(communicator)
-    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , triangulation(communicator)
     , lattice(parameters.domain)
     , space(triangulation, parameters.domain, parameters.fluid)
@@ -212,14 +212,25 @@ namespace caudal
     output.write_fields(stepper.get_time());
     output.finish();
 
+    print_costs(stepper.get_step_number(), log.get_stream());
+    return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::print_costs(const unsigned int n_steps, std::ostream &out) const
+  {
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
-    log << "\n" << stepper.get_step_number() << " steps, " << coupled_system.get_n_factorisations()
-        << " factorisations of up to " << coupled_system.get_factor_entries()
-        << " entries, largest memory "
-        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024 << " MiB on all ranks." << std::endl;
-    timer.print_summary();
-    return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
+    const double total = clock.wall_time();
+    out << "\n" << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
+        << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
+        << coupled_system.get_factor_entries() << " entries, "
+        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024
+        << " MiB of memory on all ranks. Wall time of rank 0:\n";
+    for (const auto &[section, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
+      out << "  " << std::left << std::setw(24) << section << std::right << std::setw(9) << std::fixed
+          << std::setprecision(1) << seconds << " s" << std::setw(7) << 100 * seconds / total << " %\n";
+    out << std::defaultfloat << std::flush;
   }
 
   template class ImmersedSwimmer<2>;

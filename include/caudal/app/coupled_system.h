@@ -117,6 +117,11 @@ namespace caudal
                          double                   reference,
                          unsigned int             n_affordable);
 
+    /** The bodies' right hand sides as one vector, which rank 0 owns. */
+    FieldVector collect_right_hand_sides(const std::vector<Body> &bodies, double scale) const;
+    /** Its counterpart for the solution. */
+    void return_corrections(const FieldVector &corrections, const std::vector<Body> &bodies) const;
+
     /** Draws the lesson from an attempt to reuse a factorisation. */
     void update_reuse(bool succeeded);
   };

@@ -33,7 +33,8 @@ namespace caudal
   private:
     const RunParameters<dim>                       &parameters;
     MPI_Comm                                        communicator;
-    TimerOutput                                     timer;
+    Timer                                           clock;
+    mutable TimerOutput                             timer;
     parallel::distributed::Triangulation<dim>       triangulation;
     const CellLattice<dim>                          lattice;
     FluidSpace<dim>                                 space;
@@ -46,6 +47,7 @@ namespace caudal
     GridAdaptation<dim>                             adaptation;
     std::unique_ptr<TimeScheme<dim>>                scheme;
 
+    void       print_costs(unsigned int n_steps, std::ostream &out) const;
     void       check_bodies() const;
     void       start_bodies();
     void       adapt_grid(const TimeStepper &stepper, Log &log);
