@@ -1,0 +1,139 @@
+# What can be wrong with a case is said in a sentence before anything is written.
+
+cat >good.prm <<'END'
+set Bodies = fish
+subsection Time
+  set End time = 0.02
+  set Step     = 0.01
+end
+subsection Domain
+  set Size   = 4, 2
+  set Cells  = 8, 4
+  set Levels = 3
+end
+subsection Body fish
+  set Regions = head, tail
+  subsection Shape
+    set Elements          = 20, 4
+    set Position          = 1.5, 1
+    set Region boundaries = 0.5
+  end
+end
+subsection Coupling
+  set Kernel = dirac
+end
+subsection Output
+  set Folder = results
+end
+END
+
+# refuse TEXT ARGUMENTS: prints what is said of these.
+refuse() {
+  echo "* $1"
+  shift
+  "$CAUDAL" "$@" >printed 2>errors </dev/null
+  code=$?
+  sed -n '/^Error/,$ s/^/    /p' errors
+  [ $code -eq 1 ] || echo "    exit code $code"
+  [ ! -s printed ] || cat printed
+  [ ! -e results ] || echo "    there is a folder of results"
+  rm -rf results
+}
+
+# override ENTRY VALUE
+override() {
+  refuse "$1 = $2" good.prm -D "$1=$2"
+}
+
+refuse "no file"
+refuse "a file that is not there" nothing.prm
+refuse "an unknown option" --chek good.prm
+printf 'include good.prm\nsubsection Fluid\n  set Densitty = 3\nend\nsubsection Fuild\nend\n' >unknown.prm
+refuse "unknown entry and section" unknown.prm
+printf 'include good.prm\nsubsection Body shark\n  set Density = 3\nend\n' >shark.prm
+refuse "a body that is not listed" shark.prm
+override "Fluid/Density" much
+override "Time/Scheme" leapfrog
+override "Coupling/Kernel" five-point
+override "Body fish/Muscle/Type" strong
+override "Body fish/Region head/Material" rubber
+override "Body fish/Shape/Type" shark
+override "Body fish/Gait/Type" carling
+override "Body fish/Controller/Type" autopilot
+override "Dimension" 4
+
+override "Fluid/Density" -1
+override "Fluid/Kinematic viscosity" 0
+override "Time/Step" -0.1
+override "Time/End time" 0
+override "Domain/Size" "4, -2"
+override "Domain/Cells" "8, 1"
+override "Domain/Levels" 0
+override "Body fish/Density" -3
+override "Body fish/Shape/Length" -1
+override "Body fish/Shape/Elements" "20, 2"
+override "Body fish/Shape/Region boundaries" "0.3, 0.5"
+override "Body fish/Region head/Young's modulus" -1
+override "Body fish/Monitored points" "7, 0"
+refuse "a muscle in an unknown region" good.prm -D "Body fish/Muscle/Type=bang-bang" -D "Body fish/Muscle/Regions=fin"
+override "Refinement/Interval" 0
+override "Output/Folder" ""
+
+override "Fluid/Initial velocity" "1/0; 0"
+override "Fluid/Initial velocity" "sqrt(x-1); 0"
+override "Fluid/Initial velocity" "x"
+override "Fluid/Body force" "2*velocity; 0"
+override "Refinement/Level expression" "1/(x-x)"
+override "Body fish/Muscle/Force distribution" "sqrt(s-0.5)"
+refuse "an inflow that is not finite" good.prm -D "Fluid/Boundary conditions/left=inflow" \
+  -D "Fluid/Inflow velocity=log(-1-y); 0"
+
+override "Body fish/Shape/Position" "3.5, 1"
+refuse "a kernel that reaches over the domain's side" good.prm -D "Coupling/Kernel=four-point" \
+  -D "Body fish/Shape/Position=1.5, 0.08"
+printf 'include good.prm\nset Bodies = fish, twin\nsubsection Body twin\n  subsection Shape\n' >two.prm
+printf '    set Type = disc\n    set Position = 2, 1.1\n  end\nend\n' >>two.prm
+refuse "overlapping bodies" two.prm
+
+override "Body fish/Shape/Type" file
+refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \
+  -D "Body fish/Shape/Region boundaries="
+echo '$MeshFormat' >broken.msh
+refuse "a broken mesh" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=broken.msh" \
+  -D "Body fish/Shape/Region boundaries="
+cat >square.msh <<'END'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+1
+1 3 2 7 1 1 2 3 4
+$EndElements
+END
+refuse "a mesh with other regions" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=square.msh" \
+  -D "Body fish/Shape/Region boundaries="
+refuse "a force table that is not there" good.prm -D "Body fish/Muscle/Type=table" \
+  -D "Body fish/Muscle/Table/File=no.txt"
+refuse "another density with the explicit scheme" good.prm -D "Time/Scheme=explicit" -D "Body fish/Density=900"
+refuse "a gait with the explicit scheme" good.prm -D "Time/Scheme=explicit" -D "Body fish/Gait/Type=curvature"
+
+echo "no folder" >file
+refuse "an output folder below a file" good.prm -D "Output/Folder=file/results"
+mkdir full
+touch full/thesis.tex
+refuse "an output folder with other files" good.prm -D "Output/Folder=full"
+
+echo "* more ranks than cells"
+mpirun -np 3 "$CAUDAL" good.prm -D "Domain/Cells=2,1" -D "Domain/Levels=5" 2>&1 | grep -m 1 Error
+[ ! -e results ] || echo "    there is a folder of results"
+
+echo "* the case is good, with a warning"
+"$CAUDAL" --check good.prm -D "Coupling/Kernel=four-point" | grep -o "Warning.*"
+"$CAUDAL" --check good.prm

@@ -1,0 +1,61 @@
+# A run that cannot go on writes the last good state, says why and ends with 1.
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
+cat >base.prm <<'END'
+set Bodies = disc
+subsection Time
+  set End time                 = 1
+  set Step                     = 0.05
+  set Largest number of retries = 2
+end
+subsection Domain
+  set Cells  = 4, 4
+  set Levels = 2
+end
+subsection Fluid
+  set Density             = 1
+  set Kinematic viscosity = 0.1
+end
+subsection Body disc
+  subsection Shape
+    set Type     = disc
+    set Elements = 6, 8
+    set Position = 0.5, 0.5
+  end
+  subsection Region body
+    set Young's modulus = 3
+  end
+end
+subsection Output
+  set Folder             = results
+  set Interval of fields = 1e6
+end
+END
+
+# fail TEXT OPTIONS: what is said, and whether the last state can be looked at.
+fail() {
+  echo "* $1"
+  shift
+  "$CAUDAL" base.prm "$@" >printed 2>errors
+  code=$?
+  sed 's/([-+0-9.e ]*)/(...)/; s/determinant [-0-9.e]*/determinant .../; s/residual [-0-9.e+]*/residual .../
+       s/down to [0-9.e-]* s/down to ... s/; s/^/    /' errors
+  echo "    exit code $code"
+  grep -o "The last good state.* is written" results/log.txt | sed 's/t = [^ ]*/t = .../; s/^/    /'
+  for name in fluid disc; do
+    n=$(grep -c "<DataSet.*name=\"$name\"" results/solution.pvd)
+    [ -s "results/fields/$name-0000$((n - 1)).vtu" ] && echo "    fields of $name at $n times"
+  done
+}
+
+fail "a body that leaves through the side" -D "Fluid/Initial velocity=1;0" -D "Fluid/Inflow velocity=1;0" \
+  -D "Fluid/Boundary conditions/left=inflow" -D "Fluid/Boundary conditions/right=outflow" \
+  -D "Fluid/Boundary conditions/bottom=free slip" -D "Fluid/Boundary conditions/top=free slip"
+fail "an inverted element" -D "Body disc/Muscle/Type=bang-bang" -D "Coupling/Kernel=dirac" \
+  -D "Body disc/Muscle/Monitored point=0.0" \
+  -D "Body disc/Muscle/Force distribution=if(s>0,1,-1)" -D "Body disc/Muscle/Bang-bang/Maximum force density=1e6"
+fail "a body force that ceases to be a number" -D "Fluid/Body force=sqrt(0.12-t);0"
+fail "an inflow that ceases to be a number" -D "Fluid/Boundary conditions/left=inflow" \
+  -D "Fluid/Inflow velocity=sqrt(0.12-t);0" -D "Fluid/Boundary conditions/right=outflow"
+fail "a velocity that overflows" -D "Fluid/Body force=y*1e308;0"
+fail "a solver that does not converge" -D "Solver/Largest number of iterations=2" -D "Solver/Tolerance=1e-15"

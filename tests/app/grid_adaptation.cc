@@ -1,0 +1,96 @@
+// Adapting the grid, by refining and by coarsening: what the transfer of the
+// velocity does to mass (its discrete divergence), momentum and energy.
+
+#include <caudal/app/grid_adaptation.h>
+#include <caudal/app/parameters.h>
+
+#include <iostream>
+
+using namespace caudal;
+
+namespace
+{
+  template <int dim>
+  double compute_divergence(const FluidSpace<dim> &space, const MomentumOperator<dim> &momentum,
+                            const FieldVector &velocity)
+  {
+    FieldVector divergence = space.make_pressure_vector();
+    momentum.compute_divergence(velocity, divergence);
+    return divergence.linfty_norm();
+  }
+
+  template <int dim>
+  void test()
+  {
+    // A vortex in the left half of the box, carried by a stream.
+    RunParameters<dim> parameters(nullptr);
+    parameters.bodies.clear();
+    parameters.domain.cells  = std::vector<unsigned int>(dim, dim == 2 ? 8 : 4);
+    parameters.domain.levels = 3;
+    parameters.fluid.density = 2;
+    parameters.fluid.boundary_names.assign(2 * dim, "free slip");
+    parameters.fluid.boundary_names[0] = parameters.fluid.boundary_names[1] = "inflow";
+    parameters.fluid.inflow_velocity  = dim == 2 ? "1; 0" : "1; 0; 0";
+    parameters.fluid.initial_velocity = "1+if(x<0.5,sin(2*pi*x)^2*sin(2*pi*y),0);"
+                                        "-if(x<0.5,2*sin(4*pi*x)*sin(pi*y)^2,0)";
+    if (dim == 3)
+      parameters.fluid.initial_velocity += ";0";
+    parameters.refinement.vorticity_threshold     = 1.6;
+    parameters.refinement.largest_number_of_cells = 4000;
+
+    TimerOutput timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
+    parallel::distributed::Triangulation<dim> triangulation(MPI_COMM_WORLD);
+    make_domain(triangulation, parameters.domain);
+    const CellLattice<dim> lattice(parameters.domain);
+    FluidSpace<dim>        space(triangulation, parameters.domain, parameters.fluid);
+    MomentumOperator<dim>  momentum(space);
+    CoupledSystem<dim>     coupled_system(parameters.solver, space, momentum, timer);
+    FluidState<dim>        fluid;
+    std::vector<std::unique_ptr<SwimmingBody<dim>>> bodies;
+    std::unique_ptr<FinestCells<dim>>               finest_cells;
+    GridAdaptation<dim> adaptation(triangulation, space, parameters.refinement,
+                                   {space, momentum, coupled_system, fluid, bodies, lattice,
+                                    finest_cells, parameters.solver, timer});
+    adaptation.make_initial_grid();
+    const bool is_root   = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const bool is_needed = adaptation.is_needed();
+    if (is_root)
+      std::cout << dim << "D: adaptation needed " << is_needed << '\n';
+
+    // The first adaptation makes the velocity discretely divergence-free; then
+    // cells are refined by a smaller threshold and coarsened by a larger one.
+    parameters.refinement.vorticity_threshold = dim == 2 ? 0.4 : 0.8;
+    adaptation.adapt(0, 0.01);
+    for (const double threshold : {0.2, 8.})
+    {
+      parameters.refinement.vorticity_threshold = threshold;
+      fluid.old_velocity                        = fluid.velocity;
+      fluid.update_ghost_values();
+      const auto             before  = summarise_flow(space, fluid.velocity);
+      const unsigned int     n_cells = triangulation.n_global_active_cells();
+      const AdaptationReport report  = adaptation.adapt(0, 0.01);
+      const auto             after   = summarise_flow(space, fluid.velocity);
+
+      const double divergence     = compute_divergence(space, momentum, fluid.velocity);
+      const double old_divergence = compute_divergence(space, momentum, fluid.old_velocity);
+      if (is_root)
+        std::cout << "  threshold " << threshold << ": "
+                  << (report.n_cells > n_cells ? "more" : "fewer") << " cells, divergence "
+                  << (divergence < 1e-9) << (old_divergence < 1e-9) << ", momentum "
+                  << ((after.momentum - before.momentum).norm() < 1e-8 * before.momentum.norm())
+                  << ", energy "
+                  << (std::abs(after.kinetic_energy / before.kinetic_energy - 1) < 1e-3)
+                  << ", both as reported "
+                  << (std::abs(after.kinetic_energy - before.kinetic_energy -
+                               report.kinetic_energy_change) < 1e-12)
+                  << '\n';
+    }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test<2>();
+  test<3>();
+}
