@@ -46,6 +46,10 @@ namespace caudal
       {
         AssertThrow(gait.type == "none",
                     ExcMessage(path + "/Gait/Type: a gait needs Time/Scheme = semi-implicit."));
+        for (unsigned int r = 0; r < solid.regions.size(); ++r)
+          AssertThrow(solid.region_parameters[r]->volumetric_damping == 0,
+                      ExcMessage(path + "/Region " + solid.regions[r] + "/Volumetric damping: it "
+                                 "needs Time/Scheme = semi-implicit. Set it to 0 or change the scheme."));
         AssertThrow(solid.density == 0,
                     ExcMessage(path + "/Density: a density other than the fluid's needs Time/Scheme "
                                       "= semi-implicit. Set it to 0 (the fluid's) or change the scheme."));

@@ -37,20 +37,21 @@ namespace caudal
     elastic_force.reinit(pattern.n_rows());
     active_force.reinit(pattern.n_rows());
     stiffness.reinit(pattern);
+    volumetric_damping.reinit(pattern);
   }
 
   template <int dim>
   void assemble_elastic_system(const SolidBody<dim>  &body,
                                const Vector<double>  &positions,
                                const ActiveLoad<dim> &load,
-                               const bool             with_stiffness,
+                               const bool             with_matrices,
                                ElasticSystem         &system)
   {
     const auto                          &data    = body.get_quadrature_data();
     const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
     const unsigned int                   n       = element.n_dofs_per_cell();
     std::vector<types::global_dof_index> dofs(n);
-    Vector<double>                       elastic(n), active(n);
+    Vector<double>                       elastic(n), active(n), volume_gradient(n);
     FullMatrix<double>                   stiffness(n, n);
     std::vector<unsigned int>            component(n), node(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -58,8 +59,11 @@ namespace caudal
 
     system.elastic_force = 0;
     system.active_force  = 0;
-    if (with_stiffness)
-      system.stiffness = 0;
+    if (with_matrices)
+      {
+        system.stiffness          = 0;
+        system.volumetric_damping = 0;
+      }
     for (const auto &cell : body.get_dof_handler().active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
@@ -68,6 +72,8 @@ namespace caudal
         elastic              = 0;
         active               = 0;
         stiffness            = 0;
+        volume_gradient      = 0;
+        double volume        = 0;
         for (unsigned int q = 0; q < data.n_q; ++q)
           {
             const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
@@ -90,9 +96,14 @@ namespace caudal
                 active[i] += weight * (force[component[i]] * data.shape_values[q][node[i]] -
                                        active_P[component[i]] * gradients[node[i]]);
               }
-            if (!with_stiffness)
+            if (!with_matrices)
               continue;
 
+            const double         J        = determinant(F);
+            const Tensor<2, dim> cofactor = J * transpose(invert(F));
+            volume += weight * J;
+            for (unsigned int i = 0; i < n; ++i)
+              volume_gradient[i] += weight * (cofactor[component[i]] * gradients[node[i]]);
             const Tensor<4, dim> tangent = material.tangent(F);
             for (unsigned int j = 0; j < n; ++j)
               {
@@ -108,8 +119,16 @@ namespace caudal
           }
         system.elastic_force.add(dofs, elastic);
         system.active_force.add(dofs, active);
-        if (with_stiffness)
-          system.stiffness.add(dofs, stiffness);
+        if (with_matrices)
+          {
+            system.stiffness.add(dofs, stiffness);
+            const double damping =
+              body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                stiffness(i, j) = damping / volume * volume_gradient[i] * volume_gradient[j];
+            system.volumetric_damping.add(dofs, stiffness);
+          }
       }
   }
 

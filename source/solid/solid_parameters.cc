@@ -7,6 +7,10 @@ namespace caudal
   void RegionParameters::add_parameters(ParameterHandler &prm)
   {
     material.add_parameters(prm);
+    prm.add_parameter("Volumetric damping", volumetric_damping,
+                      "Viscosity eta_v of the pressure eta_v dV/dt / V that resists a change of the "
+                      "volume V of a cell of the body; it acts on errors only, since fluid and body "
+                      "are incompressible. Semi-implicit scheme only [Pa s].");
     prm.add_parameter("Feedback stiffness", feedback_stiffness,
                       "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
                       "region at its initial place [N/m^4].");
@@ -20,6 +24,9 @@ namespace caudal
   void RegionParameters::check(const std::string &path) const
   {
     material.check(path);
+    AssertThrow(std::isfinite(volumetric_damping) && volumetric_damping >= 0,
+                ExcMessage(path + "/Volumetric damping: the value is " +
+                           std::to_string(volumetric_damping) + ". Give 0 or a positive number."));
     AssertThrow(std::isfinite(feedback_stiffness) && feedback_stiffness >= 0,
                 ExcMessage(path + "/Feedback stiffness: the value is " +
                            std::to_string(feedback_stiffness) + ". Give 0 or a positive number."));

@@ -26,19 +26,21 @@ namespace caudal
     Vector<double> active_force;
     /** K = -d(elastic_force + active_force)/dX */
     SparseMatrix<double> stiffness;
+    /** D_ij = sum of eta_v/V dV/dX_i dV/dX_j over the cells, V being a cell's volume. */
+    SparseMatrix<double> volumetric_damping;
 
     void reinit(const SparsityPattern &pattern);
   };
 
   /**
-   * Assembles @p system at the nodal @p positions; the stiffness only if
-   * @p with_stiffness. Throws ExcInvertedElement if det F <= 0 somewhere.
+   * Assembles @p system at the nodal @p positions; the matrices only if
+   * @p with_matrices. Throws ExcInvertedElement if det F <= 0 somewhere.
    */
   template <int dim>
   void assemble_elastic_system(const SolidBody<dim>  &body,
                                const Vector<double>  &positions,
                                const ActiveLoad<dim> &load,
-                               bool                   with_stiffness,
+                               bool                   with_matrices,
                                ElasticSystem         &system);
 
   /** Integral quantities of a deformed body. */

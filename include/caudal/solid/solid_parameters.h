@@ -12,6 +12,7 @@ namespace caudal
   struct RegionParameters
   {
     MaterialParameters material;
+    double             volumetric_damping = 0;
     double             feedback_stiffness = 0;
     double             feedback_damping   = 0;
     std::string        feedback_directions = "xyz";
