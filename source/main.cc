@@ -57,14 +57,14 @@ namespace
     file.parse(prm);
     parameters.check();
     if (command_line.action == CommandLine::Action::check)
-      {
-        const ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
-        std::ostringstream         summary;
-        swimmer.print_summary(summary);
-        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          std::cout << summary.str() << command_line.file << ": nothing speaks against a run.\n";
-        return finished;
-      }
+    {
+      const ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
+      std::ostringstream         summary;
+      swimmer.print_summary(summary);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << summary.str() << command_line.file << ": nothing speaks against a run.\n";
+      return finished;
+    }
 
     // What can be wrong with the case is found before anything is written.
     ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
@@ -84,31 +84,31 @@ namespace
     const CommandLine command_line = parse_command_line(argc, argv);
     const bool        is_root      = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (command_line.action == CommandLine::Action::help)
-      {
-        if (is_root)
-          std::cout << get_help();
-        return finished;
-      }
+    {
+      if (is_root)
+        std::cout << get_help();
+      return finished;
+    }
     if (command_line.action == CommandLine::Action::version)
-      {
-        if (is_root)
-          std::cout << get_version() << std::endl;
-        return finished;
-      }
+    {
+      if (is_root)
+        std::cout << get_version() << std::endl;
+      return finished;
+    }
     std::unique_ptr<ParameterFile> file;
     if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
     if (command_line.action == CommandLine::Action::print_parameters)
-      {
-        RunParameters<2> parameters(file.get());
-        ParameterHandler prm;
-        parameters.declare(prm);
-        if (is_root)
-          print_parameters(std::cout, prm, command_line.format);
-        return finished;
-      }
-    return get_dimension(*file) == 2 ? run_model<2>(*file, command_line) :
-                                       run_model<3>(*file, command_line);
+    {
+      RunParameters<2> parameters(file.get());
+      ParameterHandler prm;
+      parameters.declare(prm);
+      if (is_root)
+        print_parameters(std::cout, prm, command_line.format);
+      return finished;
+    }
+    return get_dimension(*file) == 2 ? run_model<2>(*file, command_line)
+                                     : run_model<3>(*file, command_line);
   }
 } // namespace
 
@@ -118,19 +118,19 @@ int main(int argc, char **argv)
   catch_signals();
   std::string error;
   try
-    {
-      return run(argc, argv);
-    }
+  {
+    return run(argc, argv);
+  }
   catch (const dealii::ExceptionBase &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      error = dealii::Utilities::trim(text.str());
-    }
+  {
+    std::ostringstream text;
+    exception.print_info(text);
+    error = dealii::Utilities::trim(text.str());
+  }
   catch (const std::exception &exception)
-    {
-      error = exception.what();
-    }
+  {
+    error = exception.what();
+  }
   report_error(error);
   return failed;
 }

@@ -12,17 +12,20 @@ namespace caudal
     prm.enter_subsection("Solver");
     prm.add_parameter("Tolerance", tolerance,
                       "Residual of the linear system of a step relative to the forces in it [1].");
-    prm.add_parameter("Largest number of iterations", largest_number_of_iterations,
-                      "Iterations after which an old factorisation is renewed, and after which a step "
-                      "with a new one has failed [1].");
-    prm.add_parameter("Augmentation", augmentation,
-                      "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
-                      "the smallest length of the domain: larger means fewer iterations and larger "
-                      "round-off [1].");
-    prm.add_parameter("Reuse factorisation", reuse,
-                      "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
-                      "never: factorise in each step.",
-                      Patterns::Selection("automatic|never"));
+    prm.add_parameter(
+        "Largest number of iterations", largest_number_of_iterations,
+        "Iterations after which an old factorisation is renewed, and after which a step "
+        "with a new one has failed [1].");
+    prm.add_parameter(
+        "Augmentation", augmentation,
+        "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
+        "the smallest length of the domain: larger means fewer iterations and larger "
+        "round-off [1].");
+    prm.add_parameter(
+        "Reuse factorisation", reuse,
+        "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
+        "never: factorise in each step.",
+        Patterns::Selection("automatic|never"));
     prm.leave_subsection();
   }
 
@@ -45,8 +48,8 @@ namespace caudal
     {
     public:
       BodyVector(MPI_Comm communicator, const unsigned int size)
-        : communicator(communicator)
-        , values(size)
+          : communicator(communicator)
+          , values(size)
       {}
 
       void receive(const FieldVector &source)
@@ -88,12 +91,12 @@ namespace caudal
     class SystemOperator
     {
     public:
-      SystemOperator(const MomentumOperator<dim>                           &momentum,
+      SystemOperator(const MomentumOperator<dim>                          &momentum,
                      const std::vector<typename CoupledSystem<dim>::Body> &bodies,
-                     const double                                           scale)
-        : momentum(momentum)
-        , bodies(bodies)
-        , scale(scale)
+                     const double                                          scale)
+          : momentum(momentum)
+          , bodies(bodies)
+          , scale(scale)
       {}
 
       void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
@@ -113,41 +116,41 @@ namespace caudal
         forces.reinit(result.block(0));
         unsigned int begin = 0;
         for (const auto &[interaction, equations] : bodies)
-          {
-            const unsigned int   n = equations->mass->m(), n_q = equations->rigid_moments.size();
-            const Vector<double> velocity      = in.extract(begin, n);
-            const Vector<double> force_density = in.extract(begin + n, n);
-            const Vector<double> frame         = in.extract(begin + 2 * n, n_q);
-            interaction->spread(force_density, forces);
+        {
+          const unsigned int   n = equations->mass->m(), n_q = equations->rigid_moments.size();
+          const Vector<double> velocity      = in.extract(begin, n);
+          const Vector<double> force_density = in.extract(begin + n, n);
+          const Vector<double> frame         = in.extract(begin + 2 * n, n_q);
+          interaction->spread(force_density, forces);
 
-            Vector<double> kinematic(n), interpolated(n), balance(n), frame_balance(n_q);
-            equations->mass->vmult(kinematic, velocity);
-            interaction->interpolate(source.block(0), interpolated, /*homogeneous=*/true);
-            kinematic -= interpolated;
-            kinematic *= scale;
-            equations->response->vmult(balance, velocity);
-            equations->mass->vmult_add(balance, force_density);
-            for (unsigned int k = 0; k < n_q; ++k)
-              {
-                balance.add(-equations->gait_damping * frame[k], equations->rigid_moments[k]);
-                frame_balance[k] = equations->rigid_moments[k] * velocity;
-                for (unsigned int l = 0; l < n_q; ++l)
-                  frame_balance[k] -= equations->rigid_inertia(k, l) * frame[l];
-                frame_balance[k] *= scale;
-              }
-            out.insert(kinematic, begin);
-            out.insert(balance, begin + n);
-            out.insert(frame_balance, begin + 2 * n);
-            begin += equations->n_unknowns();
+          Vector<double> kinematic(n), interpolated(n), balance(n), frame_balance(n_q);
+          equations->mass->vmult(kinematic, velocity);
+          interaction->interpolate(source.block(0), interpolated, /*homogeneous=*/true);
+          kinematic -= interpolated;
+          kinematic *= scale;
+          equations->response->vmult(balance, velocity);
+          equations->mass->vmult_add(balance, force_density);
+          for (unsigned int k = 0; k < n_q; ++k)
+          {
+            balance.add(-equations->gait_damping * frame[k], equations->rigid_moments[k]);
+            frame_balance[k] = equations->rigid_moments[k] * velocity;
+            for (unsigned int l = 0; l < n_q; ++l)
+              frame_balance[k] -= equations->rigid_inertia(k, l) * frame[l];
+            frame_balance[k] *= scale;
           }
+          out.insert(kinematic, begin);
+          out.insert(balance, begin + n);
+          out.insert(frame_balance, begin + 2 * n);
+          begin += equations->n_unknowns();
+        }
         result.block(0) -= forces;
         out.send(result.block(2));
       }
 
     private:
-      const MomentumOperator<dim>                           &momentum;
+      const MomentumOperator<dim>                          &momentum;
       const std::vector<typename CoupledSystem<dim>::Body> &bodies;
-      const double                                           scale;
+      const double                                          scale;
     };
 
     template <int dim>
@@ -155,13 +158,12 @@ namespace caudal
     {
     public:
       AugmentedLagrangianPreconditioner(const MomentumOperator<dim> &momentum,
-                                        DirectSolver                &direct_solver,
-                                        const double                 augmentation,
-                                        const double                 scale)
-        : momentum(momentum)
-        , direct_solver(direct_solver)
-        , augmentation(augmentation)
-        , scale(scale)
+                                        DirectSolver &direct_solver, const double augmentation,
+                                        const double scale)
+          : momentum(momentum)
+          , direct_solver(direct_solver)
+          , augmentation(augmentation)
+          , scale(scale)
       {}
 
       void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
@@ -197,13 +199,12 @@ namespace caudal
   template <int dim>
   CoupledSystem<dim>::CoupledSystem(const SolverParameters      &parameters,
                                     const FluidSpace<dim>       &space,
-                                    const MomentumOperator<dim> &momentum,
-                                    TimerOutput                 &timer)
-    : parameters(parameters)
-    , space(space)
-    , momentum(momentum)
-    , timer(timer)
-    , direct_solver(space.get_communicator())
+                                    const MomentumOperator<dim> &momentum, TimerOutput &timer)
+      : parameters(parameters)
+      , space(space)
+      , momentum(momentum)
+      , timer(timer)
+      , direct_solver(space.get_communicator())
   {}
 
   template <int dim>
@@ -225,7 +226,8 @@ namespace caudal
   }
 
   template <int dim>
-  void CoupledSystem<dim>::factorise(const std::vector<Body> &bodies, const MomentumWeights &weights)
+  void CoupledSystem<dim>::factorise(const std::vector<Body> &bodies,
+                                     const MomentumWeights   &weights)
   {
     TimerOutput::Scope timer_section(timer, "factorisation");
     Timer              clock;
@@ -235,54 +237,51 @@ namespace caudal
     int        begin   = space.velocity_dofs.n_dofs();
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)
-      {
-        const int n = equations->mass->m(), n_q = equations->rigid_moments.size();
-        const int velocities = begin, forces = begin + n, frame = begin + 2 * n;
-        interaction->for_each_entry(
+    {
+      const int n = equations->mass->m(), n_q = equations->rigid_moments.size();
+      const int velocities = begin, forces = begin + n, frame = begin + 2 * n;
+      interaction->for_each_entry(
           [&](const unsigned int row, const types::global_dof_index column, const double value) {
             entries.add(velocities + row, column, -scale * value);
             entries.add(column, forces + row, -value);
           });
-        if (is_root)
+      if (is_root)
+      {
+        for (const auto &entry : *equations->mass)
+        {
+          entries.add(velocities + entry.row(), velocities + entry.column(), scale * entry.value());
+          entries.add(forces + entry.row(), forces + entry.column(), entry.value());
+        }
+        for (const auto &entry : *equations->response)
+          entries.add(forces + entry.row(), velocities + entry.column(), entry.value());
+        for (int k = 0; k < n_q; ++k)
+        {
+          for (int i = 0; i < n; ++i)
           {
-            for (const auto &entry : *equations->mass)
-              {
-                entries.add(velocities + entry.row(), velocities + entry.column(),
-                            scale * entry.value());
-                entries.add(forces + entry.row(), forces + entry.column(), entry.value());
-              }
-            for (const auto &entry : *equations->response)
-              entries.add(forces + entry.row(), velocities + entry.column(), entry.value());
-            for (int k = 0; k < n_q; ++k)
-              {
-                for (int i = 0; i < n; ++i)
-                  {
-                    entries.add(forces + i, frame + k,
-                                -equations->gait_damping * equations->rigid_moments[k][i]);
-                    entries.add(frame + k, velocities + i, scale * equations->rigid_moments[k][i]);
-                  }
-                for (int l = 0; l < n_q; ++l)
-                  entries.add(frame + k, frame + l, -scale * equations->rigid_inertia(k, l));
-              }
+            entries.add(forces + i, frame + k,
+                        -equations->gait_damping * equations->rigid_moments[k][i]);
+            entries.add(frame + k, velocities + i, scale * equations->rigid_moments[k][i]);
           }
-        begin += equations->n_unknowns();
+          for (int l = 0; l < n_q; ++l)
+            entries.add(frame + k, frame + l, -scale * equations->rigid_inertia(k, l));
+        }
       }
+      begin += equations->n_unknowns();
+    }
     direct_solver.factorize(begin, entries);
     ++n_factorisations;
     factorisation_time = Utilities::MPI::max(clock.wall_time(), space.get_communicator());
   }
 
   template <int dim>
-  unsigned int CoupledSystem<dim>::iterate(BlockFieldVector        &solution,
-                                           const BlockFieldVector  &rhs,
+  unsigned int CoupledSystem<dim>::iterate(BlockFieldVector &solution, const BlockFieldVector &rhs,
                                            const std::vector<Body> &bodies,
-                                           const MomentumWeights   &weights,
-                                           const double             reference,
-                                           const unsigned int       n_affordable)
+                                           const MomentumWeights &weights, const double reference,
+                                           const unsigned int n_affordable)
   {
-    TimerOutput::Scope timer_section(timer, "iterations");
-    Timer              clock;
-    const double       scale = get_kinematic_scale(weights);
+    TimerOutput::Scope                           timer_section(timer, "iterations");
+    Timer                                        clock;
+    const double                                 scale = get_kinematic_scale(weights);
     const SystemOperator<dim>                    system(momentum, bodies, scale);
     const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
                                                                 weights.augmentation, scale);
@@ -290,12 +289,12 @@ namespace caudal
     SolverFGMRES<BlockFieldVector> solver(control);
     unsigned int                   iterations = n_affordable + 1;
     try
-      {
-        solver.solve(system, solution, rhs, preconditioner);
-        iterations = control.last_step();
-      }
+    {
+      solver.solve(system, solution, rhs, preconditioner);
+      iterations = control.last_step();
+    }
     catch (const SolverControl::NoConvergence &)
-      {} // the number of iterations tells
+    {} // the number of iterations tells
     last_residual  = control.last_value();
     iteration_time = Utilities::MPI::max(clock.wall_time(), space.get_communicator()) /
                      (control.last_step() + 1);
@@ -311,12 +310,10 @@ namespace caudal
   }
 
   template <int dim>
-  unsigned int CoupledSystem<dim>::solve(FieldVector             &momentum_residual,
-                                         FieldVector             &divergence,
+  unsigned int CoupledSystem<dim>::solve(FieldVector &momentum_residual, FieldVector &divergence,
                                          const std::vector<Body> &bodies,
-                                         const MomentumWeights   &weights,
-                                         const double             forces_scale,
-                                         const bool               matrix_changed)
+                                         const MomentumWeights &weights, const double forces_scale,
+                                         const bool matrix_changed)
   {
     const double     scale = get_kinematic_scale(weights);
     BlockFieldVector rhs(bodies.empty() ? 2 : 3), solution(rhs.n_blocks());
@@ -328,31 +325,32 @@ namespace caudal
     rhs.collect_sizes();
     solution.reinit(rhs);
 
-    const double       reference  = std::max(forces_scale, rhs.l2_norm());
+    const double reference = std::max(forces_scale, rhs.l2_norm());
+    AssertThrow(std::isfinite(reference), ExcMessage("The forces on the fluid are not finite."));
     const bool         reuses     = !should_factorise(matrix_changed);
     const unsigned int n_possible = parameters.largest_number_of_iterations;
     unsigned int       iterations = n_possible + 1;
     if (reuses)
-      {
-        // A new factorisation would cost as much as this many iterations.
-        const unsigned int n_affordable =
-          matrix_changed ? exact_iterations + factorisation_time / std::max(iteration_time, 1e-6) :
-                           n_possible;
-        iterations = iterate(solution, rhs, bodies, weights, reference, n_affordable);
-        if (matrix_changed)
-          update_reuse(iterations <= n_affordable);
-        if (iterations > n_affordable)
-          iterations = n_possible + 1;
-      }
+    {
+      // A new factorisation would cost as much as this many iterations.
+      const unsigned int n_affordable =
+          matrix_changed ? exact_iterations + factorisation_time / std::max(iteration_time, 1e-6)
+                         : n_possible;
+      iterations = iterate(solution, rhs, bodies, weights, reference, n_affordable);
+      if (matrix_changed)
+        update_reuse(iterations <= n_affordable);
+      if (iterations > n_affordable)
+        iterations = n_possible + 1;
+    }
     if (iterations > n_possible)
-      {
-        factorise(bodies, weights);
-        solution         = 0;
-        iterations       = iterate(solution, rhs, bodies, weights, reference, n_possible);
-        exact_iterations = iterations;
-        if (!reuses && steps_until_reuse > 0)
-          --steps_until_reuse;
-      }
+    {
+      factorise(bodies, weights);
+      solution         = 0;
+      iterations       = iterate(solution, rhs, bodies, weights, reference, n_possible);
+      exact_iterations = iterations;
+      if (!reuses && steps_until_reuse > 0)
+        --steps_until_reuse;
+    }
     if (iterations > n_possible)
       throw SolverControl::NoConvergence(iterations, last_residual);
 
@@ -373,15 +371,15 @@ namespace caudal
     BodyVector   values(space.get_communicator(), size);
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
-      {
-        const unsigned int n = equations->mass->m();
-        equations->velocity *= scale;
-        equations->frame_velocity *= scale;
-        values.insert(equations->velocity, begin);
-        values.insert(equations->force_density, begin + n);
-        values.insert(equations->frame_velocity, begin + 2 * n);
-        begin += equations->n_unknowns();
-      }
+    {
+      const unsigned int n = equations->mass->m();
+      equations->velocity *= scale;
+      equations->frame_velocity *= scale;
+      values.insert(equations->velocity, begin);
+      values.insert(equations->force_density, begin + n);
+      values.insert(equations->frame_velocity, begin + 2 * n);
+      begin += equations->n_unknowns();
+    }
     IndexSet owned(size);
     if (Utilities::MPI::this_mpi_process(space.get_communicator()) == 0)
       owned.add_range(0, size);
@@ -398,13 +396,13 @@ namespace caudal
     values.receive(corrections);
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
-      {
-        const unsigned int n      = equations->mass->m();
-        equations->velocity       = values.extract(begin, n);
-        equations->force_density  = values.extract(begin + n, n);
-        equations->frame_velocity = values.extract(begin + 2 * n, equations->rigid_moments.size());
-        begin += equations->n_unknowns();
-      }
+    {
+      const unsigned int n      = equations->mass->m();
+      equations->velocity       = values.extract(begin, n);
+      equations->force_density  = values.extract(begin + n, n);
+      equations->frame_velocity = values.extract(begin + 2 * n, equations->rigid_moments.size());
+      begin += equations->n_unknowns();
+    }
   }
 
   template class CoupledSystem<2>;

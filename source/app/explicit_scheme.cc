@@ -16,36 +16,36 @@ namespace caudal
     {
     public:
       explicit ExplicitScheme(const ImmersedSystem<dim> &system)
-        : TimeScheme<dim>(system)
+          : TimeScheme<dim>(system)
       {}
 
       StepResult advance(const TimeStepper &stepper) override
       {
         const double step = stepper.get_step();
         for (const auto &body : system.bodies)
-          {
-            body->prepare_step(stepper.get_time(), step);
-            body->new_positions = body->solid.positions;
-            if (!body->solid.is_fixed())
-              body->new_positions.add(step, body->solid.velocity);
-          }
+        {
+          body->prepare_step(stepper.get_time(), step);
+          body->new_positions = body->solid.positions;
+          if (!body->solid.is_fixed())
+            body->new_positions.add(step, body->solid.velocity);
+        }
         const std::vector<Vector<double>> predicted = get_positions();
 
         const bool   is_first   = stepper.get_previous_step() == 0;
         unsigned int iterations = 0;
         FieldVector  convecting = system.fluid.velocity;
         for (unsigned int stage = 0; stage < (is_first ? 2 : 1); ++stage)
-          {
-            for (const auto &body : system.bodies)
-              compute_body_force(*body, stepper.get_time() + 0.5 * step);
-            iterations += advance_fluid(stepper, convecting);
-            for (const auto &body : system.bodies)
-              move_body(*body, step);
-            convecting = new_velocity;
-            convecting += system.fluid.velocity;
-            convecting *= 0.5;
-            convecting.update_ghost_values();
-          }
+        {
+          for (const auto &body : system.bodies)
+            compute_body_force(*body, stepper.get_time() + 0.5 * step);
+          iterations += advance_fluid(stepper, convecting);
+          for (const auto &body : system.bodies)
+            move_body(*body, step);
+          convecting = new_velocity;
+          convecting += system.fluid.velocity;
+          convecting *= 0.5;
+          convecting.update_ghost_values();
+        }
         return this->check_trial_state(iterations, step, predicted);
       }
 
@@ -92,30 +92,30 @@ namespace caudal
           field->update_ghost_values();
 
         MomentumStep momentum_step;
-        momentum_step.weights.inertia       = parameters.density / step;
-        momentum_step.weights.viscosity     = 0.5 * parameters.get_viscosity();
-        momentum_step.weights.grad_div      = 0.5 * parameters.density * parameters.grad_div;
-        momentum_step.old_weights           = momentum_step.weights;
-        momentum_step.old_weights.inertia   = 0;
-        momentum_step.weights.augmentation  = this->get_augmentation(momentum_step.weights.inertia);
-        momentum_step.inertia_history       = &history;
-        momentum_step.old_velocity          = &system.fluid.velocity;
-        momentum_step.time                  = stepper.get_time() + 0.5 * step;
+        momentum_step.weights.inertia      = parameters.density / step;
+        momentum_step.weights.viscosity    = 0.5 * parameters.get_viscosity();
+        momentum_step.weights.grad_div     = 0.5 * parameters.density * parameters.grad_div;
+        momentum_step.old_weights          = momentum_step.weights;
+        momentum_step.old_weights.inertia  = 0;
+        momentum_step.weights.augmentation = this->get_augmentation(momentum_step.weights.inertia);
+        momentum_step.inertia_history      = &history;
+        momentum_step.old_velocity         = &system.fluid.velocity;
+        momentum_step.time                 = stepper.get_time() + 0.5 * step;
         if (stepper.get_previous_step() == 0)
           momentum_step.old_convection = {{&convecting, 1.}};
         else
-          {
-            const double ratio = 0.5 * step / stepper.get_previous_step();
-            momentum_step.old_convection = {{&system.fluid.velocity, 1 + ratio},
-                                            {&system.fluid.old_velocity, -ratio}};
-          }
+        {
+          const double ratio           = 0.5 * step / stepper.get_previous_step();
+          momentum_step.old_convection = {{&system.fluid.velocity, 1 + ratio},
+                                          {&system.fluid.old_velocity, -ratio}};
+        }
 
         FieldVector residual = system.space.make_velocity_vector();
         bool        matrix_changed;
         {
           TimerOutput::Scope timer_section(system.timer, "assemble fluid");
           matrix_changed =
-            system.momentum.assemble(momentum_step, new_velocity, new_pressure, residual);
+              system.momentum.assemble(momentum_step, new_velocity, new_pressure, residual);
         }
         for (const auto &body : system.bodies)
           body->interaction.spread(body->new_force_density, residual);

@@ -11,10 +11,10 @@ namespace caudal
                                       FluidSpace<dim>                           &space,
                                       const RefinementParameters                &parameters,
                                       const ImmersedSystem<dim>                 &system)
-    : triangulation(triangulation)
-    , space(space)
-    , parameters(parameters)
-    , system(system)
+      : triangulation(triangulation)
+      , space(space)
+      , parameters(parameters)
+      , system(system)
   {}
 
   template <int dim>
@@ -22,18 +22,18 @@ namespace caudal
   {
     CellSet<dim> cells(system.lattice);
     for (const auto &body : system.bodies)
+    {
+      // Where the body is now and where it will be in a step or two.
+      Vector<double> next(body->solid.positions);
+      if (!body->solid.is_fixed())
       {
-        // Where the body is now and where it will be in a step or two.
-        Vector<double> next(body->solid.positions);
-        if (!body->solid.is_fixed())
-          {
-            next *= 2;
-            next -= body->solid.old_positions;
-          }
-        cells.add(body->solid.compute_cell_boxes(body->solid.positions),
-                  body->interaction.get_support() + margin);
-        cells.add(body->solid.compute_cell_boxes(next), body->interaction.get_support() + margin);
+        next *= 2;
+        next -= body->solid.old_positions;
       }
+      cells.add(body->solid.compute_cell_boxes(body->solid.positions),
+                body->interaction.get_support() + margin);
+      cells.add(body->solid.compute_cell_boxes(next), body->interaction.get_support() + margin);
+    }
     return cells;
   }
 
@@ -47,10 +47,9 @@ namespace caudal
   template <int dim>
   bool GridAdaptation<dim>::set_flags(const CellSet<dim> &body_cells) const
   {
-    const Vector<float> indicator =
-      parameters.vorticity_threshold > 0 ?
-        compute_vorticity_indicator(space, system.fluid.velocity) :
-        Vector<float>();
+    const Vector<float> indicator = parameters.vorticity_threshold > 0
+                                        ? compute_vorticity_indicator(space, system.fluid.velocity)
+                                        : Vector<float>();
     flag_cells(triangulation, system.lattice, body_cells, indicator, parameters);
     triangulation.prepare_coarsening_and_refinement();
     int changes = 0;
@@ -65,20 +64,20 @@ namespace caudal
   {
     const CellSet<dim> body_cells = make_body_cells(parameters.body_margin);
     for (unsigned int pass = 0;; ++pass)
-      {
-        space.reinit();
-        space.set_boundary_values(0);
-        system.fluid.reinit(space);
-        set_initial_velocity(space, system.fluid);
-        if (pass > system.lattice.get_finest_level() || !set_flags(body_cells))
-          break;
-        triangulation.execute_coarsening_and_refinement();
-      }
+    {
+      space.reinit();
+      space.set_boundary_values(0);
+      system.fluid.reinit(space);
+      set_initial_velocity(space, system.fluid);
+      if (pass > system.lattice.get_finest_level() || !set_flags(body_cells))
+        break;
+      triangulation.execute_coarsening_and_refinement();
+    }
     for (const auto &cell : triangulation.active_cell_iterators())
-      {
-        cell->clear_refine_flag();
-        cell->clear_coarsen_flag();
-      }
+    {
+      cell->clear_refine_flag();
+      cell->clear_coarsen_flag();
+    }
     set_up_operators();
   }
 
@@ -94,14 +93,14 @@ namespace caudal
   void GridAdaptation<dim>::transfer(const double time)
   {
     using Transfer = parallel::distributed::SolutionTransfer<dim, FieldVector>;
-    Transfer velocity_transfer(space.velocity_dofs), pressure_transfer(space.pressure_dofs);
+    Transfer        velocity_transfer(space.velocity_dofs), pressure_transfer(space.pressure_dofs);
     FluidState<dim> old_state;
     old_state.velocity     = system.fluid.velocity;
     old_state.old_velocity = system.fluid.old_velocity;
     old_state.pressure     = system.fluid.pressure;
     old_state.update_ghost_values();
     velocity_transfer.prepare_for_coarsening_and_refinement(
-      std::vector<const FieldVector *>{&old_state.velocity, &old_state.old_velocity});
+        std::vector<const FieldVector *>{&old_state.velocity, &old_state.old_velocity});
     pressure_transfer.prepare_for_coarsening_and_refinement(old_state.pressure);
     triangulation.execute_coarsening_and_refinement();
 
@@ -122,19 +121,22 @@ namespace caudal
     // The closest velocity u + du with B (u + du) = 0: M du + B^T q = 0.
     const double density = space.get_parameters().density;
     MomentumStep momentum_step;
-    momentum_step.weights.inertia      = density / step;
-    momentum_step.weights.augmentation = momentum_step.weights.inertia * space.get_domain_size().norm_square();
+    momentum_step.weights.inertia = density / step;
+    momentum_step.weights.augmentation =
+        momentum_step.weights.inertia * space.get_domain_size().norm_square();
     FieldVector  correction = space.make_velocity_vector();
     FieldVector  divergence = space.make_pressure_vector();
     const double scale =
-      momentum_step.weights.inertia * space.get_mean_nodal_volume() * velocity.l2_norm();
-    const bool matrix_changed = system.momentum.assemble(momentum_step, velocity, divergence, correction);
-    correction                = 0;
+        momentum_step.weights.inertia * space.get_mean_nodal_volume() * velocity.l2_norm();
+    const bool matrix_changed =
+        system.momentum.assemble(momentum_step, velocity, divergence, correction);
+    correction = 0;
     system.momentum.compute_divergence(velocity, divergence);
     divergence *= -1;
     if (divergence.linfty_norm() == 0)
       return;
-    system.coupled_system.solve(correction, divergence, {}, momentum_step.weights, scale, matrix_changed);
+    system.coupled_system.solve(correction, divergence, {}, momentum_step.weights, scale,
+                                matrix_changed);
     space.homogeneous_constraints.distribute(correction);
     velocity += correction;
     velocity.update_ghost_values();
@@ -150,17 +152,17 @@ namespace caudal
       const CellSet<dim> body_cells = make_body_cells(parameters.body_margin);
       // A pass refines by one level; a body may have come to where two are missing.
       for (unsigned int pass = 0; pass <= system.lattice.get_finest_level(); ++pass)
-        {
-          if ((pass > 0 && body_cells.is_covered_by(triangulation)) || !set_flags(body_cells))
-            break;
-          transfer(time);
-          report.changed = true;
-        }
+      {
+        if ((pass > 0 && body_cells.is_covered_by(triangulation)) || !set_flags(body_cells))
+          break;
+        transfer(time);
+        report.changed = true;
+      }
       for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          cell->clear_refine_flag();
-          cell->clear_coarsen_flag();
-        }
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+      }
     }
     report.n_cells = triangulation.n_global_active_cells();
     if (!report.changed)

@@ -11,27 +11,27 @@ namespace caudal
 {
   template <int dim>
   ImmersedSwimmer<dim>::ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator)
-    : parameters(parameters)
-    , communicator(communicator)
-    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , triangulation(communicator)
-    , lattice(parameters.domain)
-    , space(triangulation, parameters.domain, parameters.fluid)
-    , momentum(space)
-    , coupled_system(parameters.solver, space, momentum, timer)
-    , system{space, momentum, coupled_system, fluid, bodies, lattice, finest_cells, parameters.solver, timer}
-    , adaptation(triangulation, space, parameters.refinement, system)
-    , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system) :
-                                             create_semi_implicit_scheme<dim>(system))
+      : parameters(parameters)
+      , communicator(communicator)
+      , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
+      , triangulation(communicator)
+      , lattice(parameters.domain)
+      , space(triangulation, parameters.domain, parameters.fluid)
+      , momentum(space)
+      , coupled_system(parameters.solver, space, momentum, timer)
+      , system{space,   momentum,     coupled_system,    fluid, bodies,
+               lattice, finest_cells, parameters.solver, timer}
+      , adaptation(triangulation, space, parameters.refinement, system)
+      , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system)
+                                             : create_semi_implicit_scheme<dim>(system))
   {
     make_domain(triangulation, parameters.domain);
-    AssertThrow(triangulation.n_global_active_cells() >=
-                  Utilities::MPI::n_mpi_processes(communicator),
-                ExcMessage("Domain/Cells: there are " +
-                           std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
-                           " ranks, but only " +
-                           std::to_string(triangulation.n_global_active_cells()) +
-                           " coarse cells. Run on fewer ranks or give more cells."));
+    AssertThrow(
+        triangulation.n_global_active_cells() >= Utilities::MPI::n_mpi_processes(communicator),
+        ExcMessage("Domain/Cells: there are " +
+                   std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
+                   " ranks, but only " + std::to_string(triangulation.n_global_active_cells()) +
+                   " coarse cells. Run on fewer ranks or give more cells."));
     for (const auto &body : parameters.bodies)
       bodies.push_back(std::make_unique<SwimmingBody<dim>>(*body, parameters.coupling,
                                                            parameters.fluid.density, communicator));
@@ -43,30 +43,33 @@ namespace caudal
   template <int dim>
   void ImmersedSwimmer<dim>::check_bodies() const
   {
-    const Point<dim> &lower = parameters.domain.lower_corner;
-    const Point<dim>  upper = lower + parameters.domain.size;
+    const Point<dim>      &lower = parameters.domain.lower_corner;
+    const Point<dim>       upper = lower + parameters.domain.size;
     const BoundingBox<dim> domain({lower, upper});
     for (const auto &body : bodies)
       for (const auto &node : body->solid.get_nodes())
-        {
-          Point<dim> point;
-          for (unsigned int d = 0; d < dim; ++d)
-            point[d] = body->solid.positions[node[d]];
-          std::ostringstream place;
-          place << "(" << point << ")";
-          AssertThrow(domain.point_inside(point),
-                      ExcMessage("Body " + body->get_name() + "/Shape/Position: the body reaches the point " +
-                                 place.str() + ", which is outside of the domain. Move the body, or "
-                                 "change Domain/Size."));
-          for (const auto &other : bodies)
-            if (other != body)
-              {
-                AssertThrow(!other->solid.contains_at_start(point),
-                            ExcMessage("Body " + body->get_name() + "/Shape/Position: the body overlaps "
-                                       "with body " + other->get_name() + " at " + place.str() +
-                                       ". Place them apart."));
-              }
-        }
+      {
+        Point<dim> point;
+        for (unsigned int d = 0; d < dim; ++d)
+          point[d] = body->solid.positions[node[d]];
+        std::ostringstream place;
+        place << "(" << point << ")";
+        AssertThrow(domain.point_inside(point),
+                    ExcMessage("Body " + body->get_name() +
+                               "/Shape/Position: the body reaches the point " + place.str() +
+                               ", which is outside of the domain. Move the body, or "
+                               "change Domain/Size."));
+        for (const auto &other : bodies)
+          if (other != body)
+          {
+            AssertThrow(!other->solid.contains_at_start(point),
+                        ExcMessage("Body " + body->get_name() +
+                                   "/Shape/Position: the body overlaps "
+                                   "with body " +
+                                   other->get_name() + " at " + place.str() +
+                                   ". Place them apart."));
+          }
+      }
   }
 
   /** In an initial flow the bodies move with it. */
@@ -74,14 +77,15 @@ namespace caudal
   void ImmersedSwimmer<dim>::start_bodies()
   {
     for (const auto &body : bodies)
-      {
-        SolidBody<dim> &solid = body->solid;
-        body->interaction.reinit(*finest_cells, space.velocity_dofs, space.constraints, fluid.velocity,
-                                 solid.get_dof_handler(), solid.positions, body->get_name());
-        body->interaction.interpolate(fluid.velocity, solid.velocity);
-        solid.apply_inverse_mass(solid.velocity);
-        solid.old_velocity = solid.velocity;
-      }
+    {
+      SolidBody<dim> &solid = body->solid;
+      body->interaction.reinit(*finest_cells, space.velocity_dofs, space.constraints,
+                               fluid.velocity, solid.get_dof_handler(), solid.positions,
+                               body->get_name());
+      body->interaction.interpolate(fluid.velocity, solid.velocity);
+      solid.apply_inverse_mass(solid.velocity);
+      solid.old_velocity = solid.velocity;
+    }
   }
 
   template <int dim>
@@ -99,21 +103,21 @@ namespace caudal
     out << "), " << space.velocity_dofs.n_dofs() << " velocity and " << space.pressure_dofs.n_dofs()
         << " pressure unknowns, finest spacing " << spacing << " m\n";
     for (const auto &body : bodies)
-      {
-        const SolidBody<dim> &solid  = body->solid;
-        const BodyExtent      extent = compute_extent(solid.get_triangulation());
-        out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
-            << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
-            << (dim == 2 ? " m^2" : " m^3") << ", length " << extent.length << " m\n";
-        const double width = 4 * body->interaction.get_support() * spacing.norm() / std::sqrt(dim);
-        for (unsigned int r = 0; r < extent.region_thickness.size(); ++r)
-          if (extent.region_thickness[r] < width)
-            out << "Warning: region " << solid.get_parameters().regions[r] << " of body "
-                << body->get_name() << " is " << extent.region_thickness[r]
-                << " m thick at its thinnest, less than the width " << width
-                << " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
-                   "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).\n";
-      }
+    {
+      const SolidBody<dim> &solid  = body->solid;
+      const BodyExtent      extent = compute_extent(solid.get_triangulation());
+      out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
+          << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
+          << (dim == 2 ? " m^2" : " m^3") << ", length " << extent.length << " m\n";
+      const double width = 4 * body->interaction.get_support() * spacing.norm() / std::sqrt(dim);
+      for (unsigned int r = 0; r < extent.region_thickness.size(); ++r)
+        if (extent.region_thickness[r] < width)
+          out << "Warning: region " << solid.get_parameters().regions[r] << " of body "
+              << body->get_name() << " is " << extent.region_thickness[r]
+              << " m thick at its thinnest, less than the width " << width
+              << " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
+                 "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).\n";
+    }
   }
 
   template <int dim>
@@ -135,61 +139,58 @@ namespace caudal
   StepResult ImmersedSwimmer<dim>::advance(TimeStepper &stepper, Log &log)
   {
     for (;;)
+    {
+      std::string reason;
+      try
       {
-        std::string reason;
-        try
-          {
-            return scheme->advance(stepper);
-          }
-        catch (const SolverControl::NoConvergence &exception)
-          {
-            reason = "The linear solver did not converge (residual " +
-                     std::to_string(exception.last_residual) +
-                     "; Solver/Largest number of iterations).";
-          }
-        catch (const ExceptionBase &exception)
-          {
-            std::ostringstream text;
-            exception.print_info(text);
-            reason = Utilities::trim(text.str());
-          }
-        log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
-            << " s failed. " << reason << std::endl;
-        stepper.reject(reason);
+        return scheme->advance(stepper);
       }
+      catch (const SolverControl::NoConvergence &exception)
+      {
+        reason = "The linear solver did not converge (residual " +
+                 std::to_string(exception.last_residual) +
+                 "; Solver/Largest number of iterations).";
+      }
+      catch (const ExceptionBase &exception)
+      {
+        std::ostringstream text;
+        exception.print_info(text);
+        reason = Utilities::trim(text.str());
+      }
+      log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
+          << " s failed. " << reason << std::endl;
+      stepper.reject(reason);
+    }
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::run_to_end(TimeStepper                 &stepper,
-                                        RunOutput<dim>              &output,
-                                        Log                         &log,
+  void ImmersedSwimmer<dim>::run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
                                         const std::function<bool()> &stop_requested)
   {
-    Progress progress(is_terminal() ? std::cout : log.get_stream(), 0, parameters.time.end_time,
+    Progress   progress(is_terminal() ? std::cout : log.get_stream(), 0, parameters.time.end_time,
                       is_terminal());
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
     while (!stepper.is_at_end() && !stop_requested())
-      {
-        adapt_grid(stepper, log);
-        const StepResult result = advance(stepper, log);
-        scheme->accept(stepper.get_step());
-        stepper.accept(result.indicators);
-        output.report_step(stepper, result, triangulation.n_global_active_cells());
+    {
+      adapt_grid(stepper, log);
+      const StepResult result = advance(stepper, log);
+      scheme->accept(stepper.get_step());
+      stepper.accept(result.indicators);
+      output.report_step(stepper, result, triangulation.n_global_active_cells());
 
-        std::ostringstream details;
-        details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
-                << triangulation.n_global_active_cells() << " cells, " << result.iterations
-                << " iterations, max |u| " << output.get_largest_velocity() << " m/s";
-        if (is_root)
-          progress.update(stepper.get_time(), stepper.get_step_number(), details.str());
-      }
+      std::ostringstream details;
+      details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
+              << triangulation.n_global_active_cells() << " cells, " << result.iterations
+              << " iterations, max |u| " << output.get_largest_velocity() << " m/s";
+      if (is_root)
+        progress.update(stepper.get_time(), stepper.get_step_number(), details.str());
+    }
     if (is_root)
       progress.finish();
   }
 
   template <int dim>
-  Outcome ImmersedSwimmer<dim>::run(const OutputFolder          &folder,
-                                    Log                         &log,
+  Outcome ImmersedSwimmer<dim>::run(const OutputFolder &folder, Log &log,
                                     const std::function<bool()> &stop_requested)
   {
     print_summary(log.get_stream());
@@ -198,17 +199,17 @@ namespace caudal
     RunOutput<dim> output(parameters, system, folder, log);
     output.write_fields(0);
     try
-      {
-        run_to_end(stepper, output, log, stop_requested);
-      }
+    {
+      run_to_end(stepper, output, log, stop_requested);
+    }
     catch (...)
-      {
-        log << "The last good state, at t = " << stepper.get_time() << " s, is written to "
-            << folder.path() << "." << std::endl;
-        output.write_fields(stepper.get_time());
-        output.finish();
-        throw;
-      }
+    {
+      log << "The last good state, at t = " << stepper.get_time() << " s, is written to "
+          << folder.path() << "." << std::endl;
+      output.write_fields(stepper.get_time());
+      output.finish();
+      throw;
+    }
     output.write_fields(stepper.get_time());
     output.finish();
 
@@ -222,14 +223,16 @@ namespace caudal
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
     const double total = clock.wall_time();
-    out << "\n" << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
+    out << "\n"
+        << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
         << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
         << coupled_system.get_factor_entries() << " entries, "
         << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024
         << " MiB of memory on all ranks. Wall time of rank 0:\n";
     for (const auto &[section, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
-      out << "  " << std::left << std::setw(24) << section << std::right << std::setw(9) << std::fixed
-          << std::setprecision(1) << seconds << " s" << std::setw(7) << 100 * seconds / total << " %\n";
+      out << "  " << std::left << std::setw(24) << section << std::right << std::setw(9)
+          << std::fixed << std::setprecision(1) << seconds << " s" << std::setw(7)
+          << 100 * seconds / total << " %\n";
     out << std::defaultfloat << std::flush;
   }
 

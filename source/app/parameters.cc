@@ -20,16 +20,16 @@ namespace caudal
   RunParameters<dim>::RunParameters(const ParameterFile *file)
   {
     const std::vector<std::string> names =
-      file ? split_names("Bodies", file->get("Bodies", "")) : std::vector<std::string>{"<name>"};
+        file ? split_names("Bodies", file->get("Bodies", "")) : std::vector<std::string>{"<name>"};
     for (const std::string &name : names)
-      {
-        const std::string              entry = "Body " + name + "/Regions";
-        const std::vector<std::string> regions =
-          file ? split_names(entry, file->get(entry, "body")) : std::vector<std::string>{"<region>"};
-        AssertThrow(!regions.empty(),
-                    ExcMessage(entry + ": the list is empty. Give at least one name."));
-        bodies.push_back(std::make_unique<SwimmingBodyParameters<dim>>(name, regions));
-      }
+    {
+      const std::string              entry   = "Body " + name + "/Regions";
+      const std::vector<std::string> regions = file ? split_names(entry, file->get(entry, "body"))
+                                                    : std::vector<std::string>{"<region>"};
+      AssertThrow(!regions.empty(),
+                  ExcMessage(entry + ": the list is empty. Give at least one name."));
+      bodies.push_back(std::make_unique<SwimmingBodyParameters<dim>>(name, regions));
+    }
   }
 
   template <int dim>
@@ -37,7 +37,8 @@ namespace caudal
   {
     prm.add_parameter("Model", model, "The model: the immersed elastic swimmer.",
                       Patterns::Selection("immersed"));
-    prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].", Patterns::Integer(2, 3));
+    prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
+                      Patterns::Integer(2, 3));
     prm.add_parameter("Bodies", bodies_text,
                       "Names of the bodies, separated by commas; each has a section `Body <name>`. "
                       "None: only the fluid.",
@@ -46,11 +47,11 @@ namespace caudal
     domain.add_parameters(prm);
     fluid.add_parameters(prm);
     for (const auto &body : bodies)
-      {
-        prm.enter_subsection(body->solid.get_path());
-        body->add_parameters(prm);
-        prm.leave_subsection();
-      }
+    {
+      prm.enter_subsection(body->solid.get_path());
+      body->add_parameters(prm);
+      prm.leave_subsection();
+    }
     coupling.add_parameters(prm);
     refinement.add_parameters(prm);
     solver.add_parameters(prm);

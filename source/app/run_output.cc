@@ -8,39 +8,37 @@
 namespace caudal
 {
   template <int dim>
-  RunOutput<dim>::RunOutput(const RunParameters<dim>  &parameters,
-                            const ImmersedSystem<dim> &system,
-                            const OutputFolder        &folder,
-                            Log                       &log)
-    : parameters(parameters)
-    , system(system)
-    , statistics(Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0 ?
-                   folder.path("statistics.txt") :
-                   "")
-    , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator())
-    , flow(summarise_flow(system.space, system.fluid.velocity))
+  RunOutput<dim>::RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
+                            const OutputFolder &folder, Log &log)
+      : parameters(parameters)
+      , system(system)
+      , statistics(Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0
+                       ? folder.path("statistics.txt")
+                       : "")
+      , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator())
+      , flow(summarise_flow(system.space, system.fluid.velocity))
   {
     ledger.initial_kinetic_energy = ledger.kinetic_energy = flow.kinetic_energy;
     const bool is_root = Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0;
     for (const auto &body : system.bodies)
-      {
-        const SolidBody<dim> &solid = body->solid;
-        initial_centers.push_back(solid.compute_mean(solid.positions));
-        const double density = parameters.fluid.density + solid.get_excess_density();
-        const std::string file = system.bodies.size() == 1 ? "swim.txt" : "swim_" + body->get_name() + ".txt";
-        swim_reports.push_back(
-          body->swims() ? std::make_unique<SwimReport>(
-                            SwimmerConstants{body->get_name(), body->get_length(),
-                                             density * solid.get_reference_volume(),
-                                             parameters.fluid.kinematic_viscosity},
-                            log.get_stream(), is_root ? folder.path(file) : "") :
-                          nullptr);
-      }
+    {
+      const SolidBody<dim> &solid = body->solid;
+      initial_centers.push_back(solid.compute_mean(solid.positions));
+      const double      density = parameters.fluid.density + solid.get_excess_density();
+      const std::string file =
+          system.bodies.size() == 1 ? "swim.txt" : "swim_" + body->get_name() + ".txt";
+      swim_reports.push_back(body->swims()
+                                 ? std::make_unique<SwimReport>(
+                                       SwimmerConstants{body->get_name(), body->get_length(),
+                                                        density * solid.get_reference_volume(),
+                                                        parameters.fluid.kinematic_viscosity},
+                                       log.get_stream(), is_root ? folder.path(file) : "")
+                                 : nullptr);
+    }
   }
 
   template <int dim>
-  void RunOutput<dim>::report_step(const TimeStepper &stepper,
-                                   const StepResult  &result,
+  void RunOutput<dim>::report_step(const TimeStepper &stepper, const StepResult &result,
                                    const unsigned int n_cells)
   {
     TimerOutput::Scope timer_section(system.timer, "output");
@@ -48,13 +46,15 @@ namespace caudal
     update_ledger(stepper.get_previous_step());
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
       if (swim_reports[b])
-        {
-          const SwimmingBody<dim> &body = *system.bodies[b];
-          const Tensor<1, dim> way = body.solid.compute_mean(body.solid.positions) - initial_centers[b];
-          swim_reports[b]->add({stepper.get_time(), body.get_lateral_position(),
-                                way * (-body.solid.get_initial_axis(0)), body.muscle_work});
-        }
-    if (stepper.get_step_number() % parameters.output.statistics_interval == 0 || stepper.is_at_end())
+      {
+        const SwimmingBody<dim> &body = *system.bodies[b];
+        const Tensor<1, dim>     way =
+            body.solid.compute_mean(body.solid.positions) - initial_centers[b];
+        swim_reports[b]->add({stepper.get_time(), body.get_lateral_position(),
+                              way * (-body.solid.get_initial_axis(0)), body.muscle_work});
+      }
+    if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
+        stepper.is_at_end())
       write_statistics(stepper, result, n_cells);
     if (stepper.get_time() >= n_field_outputs * parameters.output.field_interval * (1 - 1e-9) ||
         stepper.is_at_end())
@@ -64,31 +64,32 @@ namespace caudal
   template <int dim>
   void RunOutput<dim>::update_ledger(const double step)
   {
-    ledger.kinetic_energy = flow.kinetic_energy;
-    ledger.dissipation += step * (flow.viscous_dissipation + flow.grad_div_dissipation);
+    ledger.kinetic_energy    = flow.kinetic_energy;
+    const double dissipation = flow.viscous_dissipation + flow.grad_div_dissipation;
+    ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
+    last_dissipation      = dissipation;
     ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &body : system.bodies)
-      {
-        ledger.elastic_energy += body->deformation.elastic_energy;
-        ledger.muscle_work += body->muscle_work;
-        ledger.feedback_work += body->feedback_work;
-        // The same power seen by the body and by the fluid.
-        Vector<double> weighted(body->solid.n_dofs());
-        body->solid.get_mass_matrix().vmult(weighted, body->solid.velocity);
-        FieldVector force = system.space.make_velocity_vector();
-        body->interaction.spread(body->solid.force_density, force);
-        double size = 0;
-        for (unsigned int i = 0; i < weighted.size(); ++i)
-          size += std::abs(weighted[i] * body->solid.force_density[i]);
-        body->power_identity =
+    {
+      ledger.elastic_energy += body->deformation.elastic_energy;
+      ledger.muscle_work += body->muscle_work;
+      ledger.feedback_work += body->feedback_work;
+      // The same power seen by the body and by the fluid.
+      Vector<double> weighted(body->solid.n_dofs());
+      body->solid.get_mass_matrix().vmult(weighted, body->solid.velocity);
+      FieldVector force = system.space.make_velocity_vector();
+      body->interaction.spread(body->solid.force_density, force);
+      double size = 0;
+      for (unsigned int i = 0; i < weighted.size(); ++i)
+        size += std::abs(weighted[i] * body->solid.force_density[i]);
+      body->power_identity =
           std::abs(weighted * body->solid.force_density - force * system.fluid.velocity) /
           std::max(size, 1e-300);
-      }
+    }
   }
 
   template <int dim>
-  void RunOutput<dim>::write_statistics(const TimeStepper &stepper,
-                                        const StepResult  &result,
+  void RunOutput<dim>::write_statistics(const TimeStepper &stepper, const StepResult &result,
                                         const unsigned int n_cells)
   {
     statistics.set("time", "s", stepper.get_time());
@@ -101,21 +102,21 @@ namespace caudal
     statistics.set("divergence", "m/s", flow.divergence_norm);
     double identity = 0;
     for (const auto &body : system.bodies)
-      {
-        set_body_statistics(*body);
-        identity = std::max(identity, body->power_identity);
-      }
+    {
+      set_body_statistics(*body);
+      identity = std::max(identity, body->power_identity);
+    }
     statistics.set("kinetic energy", "J/m", ledger.kinetic_energy);
     statistics.set("dissipation", "J/m", ledger.dissipation);
     statistics.set("energy residual", "J/m", ledger.get_residual());
     statistics.set("power identity", "", identity);
     if (!parameters.fluid.exact_solution.empty())
-      {
-        const auto [velocity_error, pressure_error] =
+    {
+      const auto [velocity_error, pressure_error] =
           compute_errors(system.space, system.fluid, stepper.get_time());
-        statistics.set("velocity error", "m^2/s", velocity_error);
-        statistics.set("pressure error", "Pa m", pressure_error);
-      }
+      statistics.set("velocity error", "m^2/s", velocity_error);
+      statistics.set("pressure error", "Pa m", pressure_error);
+    }
     statistics.write_row();
   }
 
@@ -124,17 +125,17 @@ namespace caudal
   {
     const std::string     prefix = body.get_name() + ": ";
     const SolidBody<dim> &solid  = body.solid;
-    const char *const     axes = "xyz", *const velocities = "uvw";
+    const char *const axes = "xyz", *const velocities = "uvw";
     for (unsigned int k = 0; k < solid.get_parameters().monitored_points.size(); ++k)
-      {
-        const std::string    point    = " of point " + std::to_string(k + 1);
-        const Tensor<1, dim> position = solid.evaluate(solid.positions, k);
-        const Tensor<1, dim> velocity = solid.evaluate(solid.velocity, k);
-        for (unsigned int d = 0; d < dim; ++d)
-          statistics.set(prefix + axes[d] + point, "m", position[d]);
-        for (unsigned int d = 0; d < dim; ++d)
-          statistics.set(prefix + velocities[d] + point, "m/s", velocity[d]);
-      }
+    {
+      const std::string    point    = " of point " + std::to_string(k + 1);
+      const Tensor<1, dim> position = solid.evaluate(solid.positions, k);
+      const Tensor<1, dim> velocity = solid.evaluate(solid.velocity, k);
+      for (unsigned int d = 0; d < dim; ++d)
+        statistics.set(prefix + axes[d] + point, "m", position[d]);
+      for (unsigned int d = 0; d < dim; ++d)
+        statistics.set(prefix + velocities[d] + point, "m/s", velocity[d]);
+    }
     const Tensor<1, dim> center = solid.compute_mean(solid.positions);
     const Tensor<1, dim> mean   = solid.compute_mean(solid.velocity);
     Tensor<1, dim>       force;
@@ -173,22 +174,22 @@ namespace caudal
   template <int dim>
   void RunOutput<dim>::write_fluid(const double time)
   {
-    const FluidSpace<dim>             &space = system.space;
+    const FluidSpace<dim>            &space = system.space;
     const VorticityPostprocessor<dim> vorticity;
     DataOut<dim>                      data_out;
-    data_out.add_data_vector(
-      space.velocity_dofs, system.fluid.velocity, std::vector<std::string>(dim, "velocity"),
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(space.velocity_dofs, system.fluid.velocity,
+                             std::vector<std::string>(dim, "velocity"),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 dim, DataComponentInterpretation::component_is_part_of_vector));
     data_out.add_data_vector(space.pressure_dofs, system.fluid.pressure, "pressure");
     data_out.add_data_vector(space.velocity_dofs, system.fluid.velocity, vorticity);
     const auto   &triangulation = space.get_triangulation();
     Vector<float> level(triangulation.n_active_cells()), rank(triangulation.n_active_cells());
     for (const auto &cell : triangulation.active_cell_iterators())
-      {
-        level[cell->active_cell_index()] = cell->level();
-        rank[cell->active_cell_index()]  = cell->is_locally_owned() ? cell->subdomain_id() : -1;
-      }
+    {
+      level[cell->active_cell_index()] = cell->level();
+      rank[cell->active_cell_index()]  = cell->is_locally_owned() ? cell->subdomain_id() : -1;
+    }
     data_out.attach_triangulation(triangulation);
     data_out.add_data_vector(level, "level");
     data_out.add_data_vector(rank, "rank");
@@ -200,8 +201,7 @@ namespace caudal
   void RunOutput<dim>::write_body(const SwimmingBody<dim> &body, const double time)
   {
     const SolidBody<dim> &solid = body.solid;
-    const auto            vector =
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+    const auto vector = std::vector<DataComponentInterpretation::DataComponentInterpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector);
 
     // The grid lives in the body's own frame; the picture in the domain.
@@ -216,9 +216,12 @@ namespace caudal
 
     DataOut<dim> data_out;
     const auto  &dofs = solid.get_dof_handler();
-    data_out.add_data_vector(dofs, displacement, std::vector<std::string>(dim, "displacement"), vector);
-    data_out.add_data_vector(dofs, solid.velocity, std::vector<std::string>(dim, "velocity"), vector);
-    data_out.add_data_vector(dofs, muscle_force, std::vector<std::string>(dim, "muscle_force"), vector);
+    data_out.add_data_vector(dofs, displacement, std::vector<std::string>(dim, "displacement"),
+                             vector);
+    data_out.add_data_vector(dofs, solid.velocity, std::vector<std::string>(dim, "velocity"),
+                             vector);
+    data_out.add_data_vector(dofs, muscle_force, std::vector<std::string>(dim, "muscle_force"),
+                             vector);
     data_out.attach_triangulation(solid.get_triangulation());
     data_out.add_data_vector(cells.jacobian, "J");
     for (const auto &[name, values] : cells.cauchy_stress)

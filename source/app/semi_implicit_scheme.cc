@@ -17,7 +17,7 @@ namespace caudal
     {
     public:
       explicit SemiImplicitScheme(const ImmersedSystem<dim> &system)
-        : TimeScheme<dim>(system)
+          : TimeScheme<dim>(system)
       {}
 
       StepResult advance(const TimeStepper &stepper) override
@@ -28,16 +28,17 @@ namespace caudal
         std::vector<Vector<double>>                    predicted;
         std::vector<typename CoupledSystem<dim>::Body> coupled;
         for (const auto &body : system.bodies)
-          {
-            predicted.push_back(predict_body(*body, weights));
-            body->prepare_step(stepper.get_time(), stepper.get_step());
-            this->update_interaction(*body, predicted.back());
-            set_up_body_equations(*body, predicted.back(), weights, stepper);
-            coupled.push_back({&body->interaction, &body->equations});
-          }
+        {
+          predicted.push_back(predict_body(*body, weights));
+          body->prepare_step(stepper.get_time(), stepper.get_step());
+          this->update_interaction(*body, predicted.back());
+          set_up_body_equations(*body, predicted.back(), weights, stepper);
+          coupled.push_back({&body->interaction, &body->equations});
+        }
 
         FieldVector           residual = system.space.make_velocity_vector();
-        const MomentumWeights implicit = assemble_momentum(weights, stepper.get_next_time(), residual);
+        const MomentumWeights implicit =
+            assemble_momentum(weights, stepper.get_next_time(), residual);
         for (const auto &body : system.bodies)
           body->interaction.spread(body->new_force_density, residual);
         const unsigned int iterations = this->solve(residual, coupled, implicit, true);
@@ -72,8 +73,8 @@ namespace caudal
           field->update_ghost_values();
       }
 
-      MomentumWeights
-      assemble_momentum(const TimeWeights &weights, const double time, FieldVector &residual)
+      MomentumWeights assemble_momentum(const TimeWeights &weights, const double time,
+                                        FieldVector &residual)
       {
         TimerOutput::Scope timer_section(system.timer, "assemble fluid");
         const auto        &parameters = system.space.get_parameters();
@@ -115,10 +116,8 @@ namespace caudal
       }
 
       /** Response matrix and right hand sides of the body for the first guess and X*. */
-      void set_up_body_equations(SwimmingBody<dim>    &body,
-                                 const Vector<double> &predicted,
-                                 const TimeWeights    &weights,
-                                 const TimeStepper    &stepper) const
+      void set_up_body_equations(SwimmingBody<dim> &body, const Vector<double> &predicted,
+                                 const TimeWeights &weights, const TimeStepper &stepper) const
       {
         TimerOutput::Scope          timer_section(system.timer, "assemble body");
         const SolidBody<dim>       &solid     = body.solid;
@@ -141,14 +140,14 @@ namespace caudal
         opposite_velocity *= -1;
         body.elastic_system.volumetric_damping.vmult_add(force, opposite_velocity);
         if (solid.get_excess_density() != 0)
-          {
-            Vector<double> acceleration(body.new_velocity);
-            acceleration *= weights.derivative[0];
-            acceleration.add(weights.derivative[1], solid.velocity, weights.derivative[2],
-                             solid.old_velocity);
-            acceleration *= -solid.get_excess_density();
-            mass.vmult_add(force, acceleration);
-          }
+        {
+          Vector<double> acceleration(body.new_velocity);
+          acceleration *= weights.derivative[0];
+          acceleration.add(weights.derivative[1], solid.velocity, weights.derivative[2],
+                           solid.old_velocity);
+          acceleration *= -solid.get_excess_density();
+          mass.vmult_add(force, acceleration);
+        }
         equations.frame_velocity.reinit(0);
         if (body.has_gait())
           add_gait(body, predicted, stepper, force);
@@ -162,16 +161,14 @@ namespace caudal
         mass.vmult_add(equations.velocity, opposite_velocity);
       }
 
-      void add_gait(SwimmingBody<dim>    &body,
-                    const Vector<double> &predicted,
-                    const TimeStepper    &stepper,
-                    Vector<double>       &force) const
+      void add_gait(SwimmingBody<dim> &body, const Vector<double> &predicted,
+                    const TimeStepper &stepper, Vector<double> &force) const
       {
         BodyEquations &equations = body.equations;
         body.set_up_rigid_motions(predicted);
         // Errors of the shape are worked off within ten steps.
-        Vector<double> slip = body.compute_gait_velocity(predicted, stepper.get_next_time(),
-                                                         10 * stepper.get_step());
+        Vector<double> slip =
+            body.compute_gait_velocity(predicted, stepper.get_next_time(), 10 * stepper.get_step());
         slip -= body.new_velocity;
         equations.frame_velocity.reinit(equations.rigid_moments.size());
         for (unsigned int k = 0; k < equations.rigid_moments.size(); ++k)
@@ -187,8 +184,9 @@ namespace caudal
         body.new_force_density += body.equations.force_density;
         body.interaction.interpolate(new_velocity, body.new_velocity);
         body.solid.apply_inverse_mass(body.new_velocity);
-        body.new_positions      = integrate_position(body, weights);
-        body.new_feedback_force = body.compute_feedback_force(body.new_positions, body.new_velocity);
+        body.new_positions = integrate_position(body, weights);
+        body.new_feedback_force =
+            body.compute_feedback_force(body.new_positions, body.new_velocity);
       }
     };
   } // namespace

@@ -9,15 +9,16 @@ namespace caudal
   template <int dim>
   SwimmingBodyParameters<dim>::SwimmingBodyParameters(const std::string              &name,
                                                       const std::vector<std::string> &regions)
-    : solid(name, regions)
+      : solid(name, regions)
   {}
 
   template <int dim>
   void SwimmingBodyParameters<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.declare_entry("Regions", "body", Patterns::Anything(),
-                      "Names of the body's regions from head to tail, separated by commas; each has "
-                      "a section `Region <name>`.");
+    prm.declare_entry(
+        "Regions", "body", Patterns::Anything(),
+        "Names of the body's regions from head to tail, separated by commas; each has "
+        "a section `Region <name>`.");
     solid.add_parameters(prm);
     prm.add_parameter("Lateral frame", lateral_frame,
                       "What the muscle's monitored point is measured against: domain: the axis at "
@@ -43,29 +44,31 @@ namespace caudal
                 ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
                            ". Give a positive number."));
     if (is_explicit)
-      {
-        AssertThrow(gait.type == "none",
-                    ExcMessage(path + "/Gait/Type: a gait needs Time/Scheme = semi-implicit."));
-        for (unsigned int r = 0; r < solid.regions.size(); ++r)
-          AssertThrow(solid.region_parameters[r]->volumetric_damping == 0,
-                      ExcMessage(path + "/Region " + solid.regions[r] + "/Volumetric damping: it "
-                                 "needs Time/Scheme = semi-implicit. Set it to 0 or change the scheme."));
-        AssertThrow(solid.density == 0,
-                    ExcMessage(path + "/Density: a density other than the fluid's needs Time/Scheme "
-                                      "= semi-implicit. Set it to 0 (the fluid's) or change the scheme."));
-      }
+    {
+      AssertThrow(gait.type == "none",
+                  ExcMessage(path + "/Gait/Type: a gait needs Time/Scheme = semi-implicit."));
+      for (unsigned int r = 0; r < solid.regions.size(); ++r)
+        AssertThrow(
+            solid.region_parameters[r]->volumetric_damping == 0,
+            ExcMessage(path + "/Region " + solid.regions[r] +
+                       "/Volumetric damping: it "
+                       "needs Time/Scheme = semi-implicit. Set it to 0 or change the scheme."));
+      AssertThrow(solid.density == 0,
+                  ExcMessage(path +
+                             "/Density: a density other than the fluid's needs Time/Scheme "
+                             "= semi-implicit. Set it to 0 (the fluid's) or change the scheme."));
+    }
   }
 
   template <int dim>
   SwimmingBody<dim>::SwimmingBody(const SwimmingBodyParameters<dim> &parameters,
-                                  const CouplingParameters          &coupling,
-                                  const double                       fluid_density,
-                                  MPI_Comm                           communicator)
-    : solid(parameters.solid, fluid_density)
-    , interaction(coupling, communicator)
-    , parameters(parameters)
-    , length(compute_extent(solid.get_triangulation()).length)
-    , controller(create_controller(parameters.controller))
+                                  const CouplingParameters &coupling, const double fluid_density,
+                                  MPI_Comm communicator)
+      : solid(parameters.solid, fluid_density)
+      , interaction(coupling, communicator)
+      , parameters(parameters)
+      , length(compute_extent(solid.get_triangulation()).length)
+      , controller(create_controller(parameters.controller))
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
@@ -84,22 +87,25 @@ namespace caudal
     deformation        = summarise_deformation(solid, solid.positions);
 
     if (swims())
-      lateral_point = solid.add_point(Point<dim>(parameters.muscle.monitored_point * length *
-                                                 Point<dim>::unit_vector(0)),
-                                      solid.get_parameters().get_path() + "/Muscle/Monitored point");
+      lateral_point = solid.add_point(
+          Point<dim>(parameters.muscle.monitored_point * length * Point<dim>::unit_vector(0)),
+          solid.get_parameters().get_path() + "/Muscle/Monitored point");
   }
 
   template <int dim>
   double SwimmingBody<dim>::get_lateral_position() const
   {
+    if (!swims())
+      return 0;
     const Tensor<1, dim> axis     = solid.get_initial_axis(1);
     const Tensor<1, dim> position = solid.evaluate(solid.positions, lateral_point);
     const Tensor<1, dim> initial  = solid.evaluate(solid.initial_positions, lateral_point);
     if (parameters.lateral_frame == "domain")
       return (position - initial) * axis;
     const auto head =
-      fit_rigid_motion(solid, solid.get_head_nodes(), solid.initial_positions, solid.positions);
-    return (transpose(head.rotation) * (position - head.center) - (initial - head.reference_center)) *
+        fit_rigid_motion(solid, solid.get_head_nodes(), solid.initial_positions, solid.positions);
+    return (transpose(head.rotation) * (position - head.center) -
+            (initial - head.reference_center)) *
            axis;
   }
 
@@ -110,7 +116,7 @@ namespace caudal
     if (parameters.lateral_frame == "domain")
       return direction;
     return fit_rigid_motion(solid, solid.get_head_nodes(), solid.initial_positions, solid.positions)
-             .rotation *
+               .rotation *
            direction;
   }
 
@@ -118,17 +124,17 @@ namespace caudal
   SwimmerState SwimmingBody<dim>::get_swimmer_state(const double time, const double step) const
   {
     const auto motion =
-      fit_rigid_motion(solid, solid.get_head_nodes(), solid.initial_positions, solid.positions);
+        fit_rigid_motion(solid, solid.get_head_nodes(), solid.initial_positions, solid.positions);
     const auto velocity =
-      fit_rigid_velocity(solid, solid.get_head_nodes(), solid.positions, solid.velocity);
+        fit_rigid_velocity(solid, solid.get_head_nodes(), solid.positions, solid.velocity);
     const Tensor<1, dim> point          = solid.evaluate(solid.positions, lateral_point);
     Tensor<1, dim>       axis           = solid.get_initial_axis(1);
     Tensor<1, dim>       point_velocity = solid.evaluate(solid.velocity, lateral_point);
     if (parameters.lateral_frame == "head")
-      {
-        axis = motion.rotation * axis;
-        point_velocity -= velocity.mean + velocity.spin * (point - velocity.center);
-      }
+    {
+      axis = motion.rotation * axis;
+      point_velocity -= velocity.mean + velocity.spin * (point - velocity.center);
+    }
 
     SwimmerState state;
     state.time             = time;
@@ -144,6 +150,8 @@ namespace caudal
   template <int dim>
   void SwimmingBody<dim>::prepare_step(const double time, const double step)
   {
+    if (!swims())
+      return;
     const SwimmerState state = get_swimmer_state(time, step);
     muscle->set_command(controller->compute_command(state));
     muscle->prepare_step(state);
@@ -165,9 +173,8 @@ namespace caudal
   }
 
   template <int dim>
-  void SwimmingBody<dim>::assemble_forces(const Vector<double> &x,
-                                          const double          time,
-                                          const bool            with_stiffness)
+  void SwimmingBody<dim>::assemble_forces(const Vector<double> &x, const double time,
+                                          const bool with_stiffness)
   {
     assemble_elastic_system(solid, x, get_active_load(time), with_stiffness, elastic_system);
   }
@@ -187,35 +194,35 @@ namespace caudal
   template <int dim>
   Vector<double> SwimmingBody<dim>::compute_gait_velocity(const Vector<double> &x,
                                                           const double          time,
-                                                          const double          relaxation_time) const
+                                                          const double relaxation_time) const
   {
     Vector<double> shape(solid.n_dofs()), rate(solid.n_dofs()), result(solid.n_dofs());
     gait->set_time(time);
     for (const auto &node : solid.get_nodes())
+    {
+      const Point<dim>    &s        = solid.get_reference_point(node[0]);
+      const Point<dim>     position = gait->position(s);
+      const Tensor<1, dim> velocity = gait->velocity(s);
+      for (unsigned int d = 0; d < dim; ++d)
       {
-        const Point<dim>    &s        = solid.get_reference_point(node[0]);
-        const Point<dim>     position = gait->position(s);
-        const Tensor<1, dim> velocity = gait->velocity(s);
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            shape[node[d]] = position[d];
-            rate[node[d]]  = velocity[d];
-          }
+        shape[node[d]] = position[d];
+        rate[node[d]]  = velocity[d];
       }
+    }
     const auto fit = fit_rigid_motion(solid, solid.get_nodes(), shape, x);
     for (const auto &node : solid.get_nodes())
+    {
+      Tensor<1, dim> position, velocity;
+      for (unsigned int d = 0; d < dim; ++d)
       {
-        Tensor<1, dim> position, velocity;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            position[d] = shape[node[d]];
-            velocity[d] = rate[node[d]];
-          }
-        position = fit.center + fit.rotation * (position - fit.reference_center);
-        velocity = fit.rotation * velocity;
-        for (unsigned int d = 0; d < dim; ++d)
-          result[node[d]] = velocity[d] + (position[d] - x[node[d]]) / relaxation_time;
+        position[d] = shape[node[d]];
+        velocity[d] = rate[node[d]];
       }
+      position = fit.center + fit.rotation * (position - fit.reference_center);
+      velocity = fit.rotation * velocity;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[node[d]] = velocity[d] + (position[d] - x[node[d]]) / relaxation_time;
+    }
     return result;
   }
 

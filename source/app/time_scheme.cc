@@ -6,7 +6,7 @@ namespace caudal
 {
   template <int dim>
   TimeScheme<dim>::TimeScheme(const ImmersedSystem<dim> &system)
-    : system(system)
+      : system(system)
   {}
 
   template <int dim>
@@ -29,39 +29,42 @@ namespace caudal
   }
 
   template <int dim>
-  unsigned int
-  TimeScheme<dim>::solve(FieldVector                                          &residual,
-                         const std::vector<typename CoupledSystem<dim>::Body> &coupled,
-                         const MomentumWeights                                &weights,
-                         const bool                                            matrix_changed)
+  unsigned int TimeScheme<dim>::solve(FieldVector &residual,
+                                      const std::vector<typename CoupledSystem<dim>::Body> &coupled,
+                                      const MomentumWeights &weights, const bool matrix_changed)
   {
     // The forces that the residual is compared to: inertia and what bodies exert.
     FieldVector forces;
     forces.reinit(residual);
     double scale = weights.inertia * system.space.get_mean_nodal_volume() * new_velocity.l2_norm();
     for (const auto &body : system.bodies)
-      {
-        forces = 0;
-        body->interaction.spread(body->new_force_density, forces);
-        scale += forces.l2_norm();
-      }
+    {
+      forces = 0;
+      body->interaction.spread(body->new_force_density, forces);
+      scale += forces.l2_norm();
+    }
 
     FieldVector divergence = system.space.make_pressure_vector();
     system.momentum.compute_divergence(new_velocity, divergence);
     divergence *= -1;
-    const unsigned int iterations = system.coupled_system.solve(residual, divergence, coupled, weights,
-                                                                scale, matrix_changed);
+    const unsigned int iterations =
+        system.coupled_system.solve(residual, divergence, coupled, weights, scale, matrix_changed);
     system.space.homogeneous_constraints.distribute(residual);
     new_velocity += residual;
     new_pressure -= divergence;
     new_velocity.update_ghost_values();
+
+    // The augmentation times what the tolerance leaves of the divergence acts as
+    // a pressure, which the pressure has to contain.
+    system.momentum.compute_divergence(new_velocity, divergence);
+    system.momentum.apply_inverse_pressure_mass(divergence);
+    new_pressure.add(-weights.augmentation, divergence);
     new_pressure.update_ghost_values();
     return iterations;
   }
 
   template <int dim>
-  StepResult TimeScheme<dim>::check_trial_state(const unsigned int iterations,
-                                                const double       step,
+  StepResult TimeScheme<dim>::check_trial_state(const unsigned int iterations, const double step,
                                                 const std::vector<Vector<double>> &predicted)
   {
     AssertThrow(std::isfinite(new_velocity.l2_norm()) && std::isfinite(new_pressure.l2_norm()),
@@ -71,23 +74,23 @@ namespace caudal
     StepResult           result;
     result.iterations = iterations;
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
-      {
-        SwimmingBody<dim> &body = *system.bodies[b];
-        AssertThrow(std::isfinite(body.new_positions.l2_norm()),
-                    ExcMessage("The position of body " + body.get_name() + " is not finite."));
-        body.deformation = summarise_deformation(body.solid, body.new_positions);
-        for (const auto &node : body.solid.get_nodes())
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const double x = body.new_positions[node[d]];
-              result.indicators.body_cfl = std::max(result.indicators.body_cfl,
-                                                    std::abs(x - body.solid.positions[node[d]]) / h[d]);
-              result.indicators.error =
-                std::max(result.indicators.error, std::abs(x - predicted[b][node[d]]) / h[d]);
-            }
-      }
+    {
+      SwimmingBody<dim> &body = *system.bodies[b];
+      AssertThrow(std::isfinite(body.new_positions.l2_norm()),
+                  ExcMessage("The position of body " + body.get_name() + " is not finite."));
+      body.deformation = summarise_deformation(body.solid, body.new_positions);
+      for (const auto &node : body.solid.get_nodes())
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double x             = body.new_positions[node[d]];
+          result.indicators.body_cfl = std::max(result.indicators.body_cfl,
+                                                std::abs(x - body.solid.positions[node[d]]) / h[d]);
+          result.indicators.error =
+              std::max(result.indicators.error, std::abs(x - predicted[b][node[d]]) / h[d]);
+        }
+    }
     result.indicators.convective_cfl =
-      summarise_flow(system.space, new_velocity).largest_rate * step;
+        summarise_flow(system.space, new_velocity).largest_rate * step;
     return result;
   }
 

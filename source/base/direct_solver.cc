@@ -18,8 +18,8 @@ namespace caudal
   struct DirectSolver::Implementation
   {
     Implementation(MPI_Comm communicator, const Symmetry symmetry)
-      : communicator(communicator)
-      , rank(Utilities::MPI::this_mpi_process(communicator))
+        : communicator(communicator)
+        , rank(Utilities::MPI::this_mpi_process(communicator))
     {
       data.comm_fortran = MPI_Comm_c2f(communicator);
       data.sym          = symmetry == Symmetry::general ? 0 : 2;
@@ -56,7 +56,7 @@ namespace caudal
   };
 
   DirectSolver::DirectSolver(MPI_Comm communicator, const Symmetry symmetry)
-    : mumps(std::make_unique<Implementation>(communicator, symmetry))
+      : mumps(std::make_unique<Implementation>(communicator, symmetry))
   {}
 
   DirectSolver::~DirectSolver() = default;
@@ -81,13 +81,13 @@ namespace caudal
     mumps->set_control(7, n < 60000 ? 0 : 5);
     // MUMPS may underestimate the working space: -8 and -9 ask for more.
     for (const int extra_space : {30, 100, 300})
-      {
-        mumps->set_control(14, extra_space);
-        data.job = job_analyse_factorise;
-        dmumps_c(&data);
-        if (data.infog[0] != -8 && data.infog[0] != -9)
-          break;
-      }
+    {
+      mumps->set_control(14, extra_space);
+      data.job = job_analyse_factorise;
+      dmumps_c(&data);
+      if (data.infog[0] != -8 && data.infog[0] != -9)
+        break;
+    }
     AssertThrow(data.infog[0] >= 0,
                 ExcMessage("The direct solver (MUMPS) could not factorise the " +
                            std::to_string(n) + " x " + std::to_string(n) +
@@ -103,19 +103,19 @@ namespace caudal
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mumps->communicator);
 
     std::vector<double> everything(mumps->rank == 0 ? vector.size() : 0);
-    const auto for_each_block = [&](const auto &transfer) {
+    const auto          for_each_block = [&](const auto &transfer) {
       std::size_t offset = 0;
       for (unsigned int b = 0; b < vector.n_blocks(); ++b)
-        {
-          FieldVector &block = vector.block(b);
-          const int    count = block.locally_owned_size();
-          const int    begin = block.get_partitioner()->local_range().first;
-          std::vector<int> counts(n_ranks), begins(n_ranks);
-          MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, mumps->communicator);
-          MPI_Gather(&begin, 1, MPI_INT, begins.data(), 1, MPI_INT, 0, mumps->communicator);
-          transfer(block, count, counts, begins, everything.data() + offset);
-          offset += block.size();
-        }
+      {
+        FieldVector     &block = vector.block(b);
+        const int        count = block.locally_owned_size();
+        const int        begin = block.get_partitioner()->local_range().first;
+        std::vector<int> counts(n_ranks), begins(n_ranks);
+        MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, mumps->communicator);
+        MPI_Gather(&begin, 1, MPI_INT, begins.data(), 1, MPI_INT, 0, mumps->communicator);
+        transfer(block, count, counts, begins, everything.data() + offset);
+        offset += block.size();
+      }
     };
     for_each_block([&](FieldVector &block, int count, auto &counts, auto &begins, double *data) {
       MPI_Gatherv(block.begin(), count, MPI_DOUBLE, data, counts.data(), begins.data(), MPI_DOUBLE,

@@ -10,20 +10,24 @@ namespace caudal
   void TimeParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
-    prm.add_parameter("Scheme", scheme,
-                      "semi-implicit: BDF2, convection and body forces linearised about the extrapolated state; "
-                      "explicit: midpoint body forces, Crank-Nicolson viscosity, Adams-Bashforth convection.",
-                      Patterns::Selection("semi-implicit|explicit"));
+    prm.add_parameter(
+        "Scheme", scheme,
+        "semi-implicit: BDF2, convection and body forces linearised about the extrapolated state; "
+        "explicit: midpoint body forces, Crank-Nicolson viscosity, Adams-Bashforth convection.",
+        Patterns::Selection("semi-implicit|explicit"));
     prm.add_parameter("End time", end_time, "Simulated time [s].");
-    prm.add_parameter("Step", step, "Size of the time step, or of the first one if it is adapted [s].");
+    prm.add_parameter("Step", step,
+                      "Size of the time step, or of the first one if it is adapted [s].");
     prm.add_parameter("Adaptive", adaptive, "Adapt the step's size to the limits below.");
     prm.add_parameter("Largest step", largest_step, "Upper limit of an adapted step [s].");
     prm.add_parameter("Smallest step", smallest_step,
                       "A step that has to be smaller than this ends the run [s].");
-    prm.add_parameter("Body CFL", body_cfl,
-                      "Adapted steps: largest displacement of the body in a step, in fluid spacings [1].");
-    prm.add_parameter("Convective CFL", convective_cfl,
-                      "Adapted steps: largest |u| dt / h, h the spacing of the velocity nodes [1].");
+    prm.add_parameter(
+        "Body CFL", body_cfl,
+        "Adapted steps: largest displacement of the body in a step, in fluid spacings [1].");
+    prm.add_parameter(
+        "Convective CFL", convective_cfl,
+        "Adapted steps: largest |u| dt / h, h the spacing of the velocity nodes [1].");
     prm.add_parameter("Error tolerance", error_tolerance,
                       "Adapted steps: largest difference between the predicted and the computed "
                       "position of the body, in fluid spacings [1].");
@@ -36,8 +40,8 @@ namespace caudal
   {
     const auto check_positive = [](const char *entry, const double value) {
       AssertThrow(std::isfinite(value) && value > 0,
-                  ExcMessage(std::string("Time/") + entry + ": the value is " + std::to_string(value) +
-                             ". Give a positive number."));
+                  ExcMessage(std::string("Time/") + entry + ": the value is " +
+                             std::to_string(value) + ". Give a positive number."));
     };
     check_positive("End time", end_time);
     check_positive("Step", step);
@@ -67,9 +71,9 @@ namespace caudal
   }
 
   TimeStepper::TimeStepper(const TimeParameters &parameters)
-    : parameters(parameters)
-    , step(parameters.step)
-    , regular_step(parameters.step)
+      : parameters(parameters)
+      , step(parameters.step)
+      , regular_step(parameters.step)
   {
     limit_to_end();
   }
@@ -91,14 +95,14 @@ namespace caudal
     ++step_number;
     n_retries = 0;
     if (parameters.adaptive)
-      {
-        // The error of a prediction of second order grows with step^2.
-        const double growth = std::min({1 / std::max(indicators.body_cfl, 1e-10),
-                                        1 / std::max(indicators.convective_cfl, 1e-10),
-                                        1 / std::sqrt(std::max(indicators.error, 1e-10))});
-        regular_step =
+    {
+      // The error of a prediction of second order grows with step^2.
+      const double growth = std::min({1 / std::max(indicators.body_cfl, 1e-10),
+                                      1 / std::max(indicators.convective_cfl, 1e-10),
+                                      1 / std::sqrt(std::max(indicators.error, 1e-10))});
+      regular_step =
           std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
-      }
+    }
     // After a rejection the step grows back to its regular size gently: BDF2
     // with variable step is stable up to a ratio of 1 + sqrt(2).
     step = std::min(regular_step, 1.5 * previous_step);
@@ -109,10 +113,11 @@ namespace caudal
   {
     ++n_retries;
     step /= 2;
-    AssertThrow(n_retries <= parameters.largest_number_of_retries && step >= parameters.smallest_step,
-                ExcMessage(reason + " The step was halved " + std::to_string(n_retries - 1) +
-                           " times down to " + std::to_string(2 * step) +
-                           " s without success (Time/Largest number of retries, Time/Smallest step)."));
+    AssertThrow(
+        n_retries <= parameters.largest_number_of_retries && step >= parameters.smallest_step,
+        ExcMessage(reason + " The step was halved " + std::to_string(n_retries - 1) +
+                   " times down to " + std::to_string(2 * step) +
+                   " s without success (Time/Largest number of retries, Time/Smallest step)."));
   }
 
   void TimeStepper::limit_to_end()

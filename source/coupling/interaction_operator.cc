@@ -13,21 +13,24 @@ namespace caudal
   void CouplingParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Coupling");
-    prm.add_parameter("Kernel", kernel,
-                      "Regularised delta function; dirac is its variational limit, the finite element "
-                      "field at the body's points.",
-                      Patterns::Selection(get_kernel_names()));
-    prm.add_parameter("Quadrature density", quadrature_density,
-                      "Smallest number of quadrature points of the deformed body per fluid spacing, "
-                      "in each direction [1].");
+    prm.add_parameter(
+        "Kernel", kernel,
+        "Regularised delta function; dirac is its variational limit, the finite element "
+        "field at the body's points.",
+        Patterns::Selection(get_kernel_names()));
+    prm.add_parameter(
+        "Quadrature density", quadrature_density,
+        "Smallest number of quadrature points of the deformed body per fluid spacing, "
+        "in each direction [1].");
     prm.leave_subsection();
   }
 
   void CouplingParameters::check() const
   {
-    AssertThrow(std::isfinite(quadrature_density) && quadrature_density > 0 && quadrature_density <= 20,
-                ExcMessage("Coupling/Quadrature density: the value is " +
-                           std::to_string(quadrature_density) + ". Give a number between 0 and 20."));
+    AssertThrow(
+        std::isfinite(quadrature_density) && quadrature_density > 0 && quadrature_density <= 20,
+        ExcMessage("Coupling/Quadrature density: the value is " +
+                   std::to_string(quadrature_density) + ". Give a number between 0 and 20."));
   }
 
   namespace
@@ -42,7 +45,7 @@ namespace caudal
     struct LineWeights
     {
       int                                first_cell = 0;
-      std::vector<std::array<double, 3>> cells; // sums with the three polynomials
+      std::vector<std::array<double, 3>> cells;  // sums with the three polynomials
       std::vector<double>                totals; // sums of the kernel alone
     };
 
@@ -51,29 +54,29 @@ namespace caudal
     {
       LineWeights weights;
       if (kernel == nullptr)
-        {
-          weights.first_cell = std::floor(x);
-          weights.cells.push_back(evaluate_quadratics(x - weights.first_cell));
-          weights.totals.push_back(1);
-          return weights;
-        }
+      {
+        weights.first_cell = std::floor(x);
+        weights.cells.push_back(evaluate_quadratics(x - weights.first_cell));
+        weights.totals.push_back(1);
+        return weights;
+      }
       const double radius = 0.5 * kernel->radius(); // in cells; the lattice has two points a cell
       weights.first_cell  = std::floor(x - radius);
       for (int cell = weights.first_cell; cell <= std::floor(x + radius); ++cell)
+      {
+        std::array<double, 3> sums{};
+        double                total = 0;
+        for (const double midpoint : {0.25, 0.75})
         {
-          std::array<double, 3> sums{};
-          double                total = 0;
-          for (const double midpoint : {0.25, 0.75})
-            {
-              const double value = kernel->value(2 * (cell + midpoint - x));
-              const auto   shape = evaluate_quadratics(midpoint);
-              total += value;
-              for (unsigned int i = 0; i < 3; ++i)
-                sums[i] += value * shape[i];
-            }
-          weights.cells.push_back(sums);
-          weights.totals.push_back(total);
+          const double value = kernel->value(2 * (cell + midpoint - x));
+          const auto   shape = evaluate_quadratics(midpoint);
+          total += value;
+          for (unsigned int i = 0; i < 3; ++i)
+            sums[i] += value * shape[i];
         }
+        weights.cells.push_back(sums);
+        weights.totals.push_back(total);
+      }
       return weights;
     }
   } // namespace
@@ -86,26 +89,24 @@ namespace caudal
   class InteractionOperator<dim>::Assembler
   {
   public:
-    Assembler(const KernelPair                &kernel,
-              const FinestCells<dim>          &finest_cells,
-              const DoFHandler<dim>           &velocity_dofs,
-              const AffineConstraints<double> &constraints,
-              const DoFHandler<dim>           &body_dofs)
-      : kernel(kernel)
-      , finest_cells(finest_cells)
-      , velocity_dofs(velocity_dofs)
-      , constraints(constraints)
-      , body_element(body_dofs.get_fe())
-      , element(velocity_dofs.get_fe())
-      , n_kernels(kernel.isotropic ? 1 : dim)
-      , n_nodes(body_element.n_dofs_per_cell() / dim)
-      , n_s(element.n_dofs_per_cell() / dim)
-      , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(2))
-      , cell_size(finest_cells.get_lattice().get_cell_size(
-          finest_cells.get_lattice().get_finest_level()))
-      , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
-      , indices(element.n_dofs_per_cell())
-      , inhomogeneity(body_dofs.n_dofs())
+    Assembler(const KernelPair &kernel, const FinestCells<dim> &finest_cells,
+              const DoFHandler<dim> &velocity_dofs, const AffineConstraints<double> &constraints,
+              const DoFHandler<dim> &body_dofs)
+        : kernel(kernel)
+        , finest_cells(finest_cells)
+        , velocity_dofs(velocity_dofs)
+        , constraints(constraints)
+        , body_element(body_dofs.get_fe())
+        , element(velocity_dofs.get_fe())
+        , n_kernels(kernel.isotropic ? 1 : dim)
+        , n_nodes(body_element.n_dofs_per_cell() / dim)
+        , n_s(element.n_dofs_per_cell() / dim)
+        , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(2))
+        , cell_size(finest_cells.get_lattice().get_cell_size(
+              finest_cells.get_lattice().get_finest_level()))
+        , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
+        , indices(element.n_dofs_per_cell())
+        , inhomogeneity(body_dofs.n_dofs())
     {}
 
     /**
@@ -113,51 +114,50 @@ namespace caudal
      * shape functions. Returns the part of the kernel's integral that this
      * rank's cells of the finest level have seen.
      */
-    double
-    add_point(const Point<dim> &point, const double weight, const std::vector<double> &shape)
+    double add_point(const Point<dim> &point, const double weight, const std::vector<double> &shape)
     {
       double seen = 0;
       for (unsigned int k = 0; k < n_kernels; ++k)
+      {
+        std::array<LineWeights, dim> lines;
+        unsigned int                 n_cells = 1;
+        for (unsigned int d = 0; d < dim; ++d)
         {
-          std::array<LineWeights, dim> lines;
-          unsigned int                 n_cells = 1;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              lines[d] = compute_line_weights((point[d] - origin[d]) / cell_size[d],
-                                              kernel.is_dirac ? nullptr : &kernel.get(k, d));
-              n_cells *= lines[d].cells.size();
-            }
-          for (unsigned int c = 0; c < n_cells; ++c)
-            {
-              typename CellLattice<dim>::Coordinates coordinates;
-              const std::array<double, 3>           *factors[dim];
-              double                                 total = 1;
-              for (unsigned int d = 0, rest = c; d < dim; rest /= lines[d].cells.size(), ++d)
-                {
-                  const unsigned int position = rest % lines[d].cells.size();
-                  coordinates[d]              = lines[d].first_cell + position;
-                  factors[d]                  = &lines[d].cells[position];
-                  total *= lines[d].totals[position];
-                }
-              if (total == 0)
-                continue;
-              Block &block = find_block(coordinates);
-              if (block.cell == nullptr)
-                continue;
-              seen += total / n_kernels;
-              double fluid_weights[27];
-              for (unsigned int s = 0; s < n_s; ++s)
-                {
-                  fluid_weights[s] = weight;
-                  for (unsigned int d = 0, rest = lexicographic[s]; d < dim; rest /= 3, ++d)
-                    fluid_weights[s] *= (*factors[d])[rest % 3];
-                }
-              double *entry = block.values.data() + k * n_nodes * n_s;
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                for (unsigned int s = 0; s < n_s; ++s, ++entry)
-                  *entry += shape[a] * fluid_weights[s];
-            }
+          lines[d] = compute_line_weights((point[d] - origin[d]) / cell_size[d],
+                                          kernel.is_dirac ? nullptr : &kernel.get(k, d));
+          n_cells *= lines[d].cells.size();
         }
+        for (unsigned int c = 0; c < n_cells; ++c)
+        {
+          typename CellLattice<dim>::Coordinates coordinates;
+          const std::array<double, 3>           *factors[dim];
+          double                                 total = 1;
+          for (unsigned int d = 0, rest = c; d < dim; rest /= lines[d].cells.size(), ++d)
+          {
+            const unsigned int position = rest % lines[d].cells.size();
+            coordinates[d]              = lines[d].first_cell + position;
+            factors[d]                  = &lines[d].cells[position];
+            total *= lines[d].totals[position];
+          }
+          if (total == 0)
+            continue;
+          Block &block = find_block(coordinates);
+          if (block.cell == nullptr)
+            continue;
+          seen += total / n_kernels;
+          double fluid_weights[27];
+          for (unsigned int s = 0; s < n_s; ++s)
+          {
+            fluid_weights[s] = weight;
+            for (unsigned int d = 0, rest = lexicographic[s]; d < dim; rest /= 3, ++d)
+              fluid_weights[s] *= (*factors[d])[rest % 3];
+          }
+          double *entry = block.values.data() + k * n_nodes * n_s;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int s = 0; s < n_s; ++s, ++entry)
+              *entry += shape[a] * fluid_weights[s];
+        }
+      }
       return seen;
     }
 
@@ -166,21 +166,20 @@ namespace caudal
     {
       for (const auto &[coordinates, block] : blocks)
         if (block.cell != nullptr)
-          {
-            typename DoFHandler<dim>::active_cell_iterator(**block.cell, &velocity_dofs)
+        {
+          typename DoFHandler<dim>::active_cell_iterator(**block.cell, &velocity_dofs)
               ->get_dof_indices(indices);
-            for (unsigned int component = 0; component < dim; ++component)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                {
-                  const unsigned int row =
-                    body_indices[body_element.component_to_system_index(component, a)];
-                  const unsigned int first =
-                    ((kernel.isotropic ? 0 : component) * n_nodes + a) * n_s;
-                  for (unsigned int s = 0; s < n_s; ++s)
-                    add_entry(row, indices[element.component_to_system_index(component, s)],
-                              block.values[first + s]);
-                }
-          }
+          for (unsigned int component = 0; component < dim; ++component)
+            for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              const unsigned int row =
+                  body_indices[body_element.component_to_system_index(component, a)];
+              const unsigned int first = ((kernel.isotropic ? 0 : component) * n_nodes + a) * n_s;
+              for (unsigned int s = 0; s < n_s; ++s)
+                add_entry(row, indices[element.component_to_system_index(component, s)],
+                          block.values[first + s]);
+            }
+        }
       blocks.clear();
     }
 
@@ -188,7 +187,10 @@ namespace caudal
     std::vector<types::global_dof_index> columns;
     std::vector<double>                  values;
 
-    const Vector<double> &get_inhomogeneity() const { return inhomogeneity; }
+    const Vector<double> &get_inhomogeneity() const
+    {
+      return inhomogeneity;
+    }
 
   private:
     struct Block
@@ -222,8 +224,7 @@ namespace caudal
       return blocks.emplace(coordinates, Block{cell, std::vector<double>(size)}).first->second;
     }
 
-    void
-    add_entry(const unsigned int row, const types::global_dof_index column, const double value)
+    void add_entry(const unsigned int row, const types::global_dof_index column, const double value)
     {
       const auto add = [&](const types::global_dof_index free_column, const double free_value) {
         rows.push_back(row);
@@ -233,20 +234,20 @@ namespace caudal
       if (!constraints.is_constrained(column))
         add(column, value);
       else
-        {
-          for (const auto &[master, factor] : *constraints.get_constraint_entries(column))
-            add(master, factor * value);
-          inhomogeneity[row] += constraints.get_inhomogeneity(column) * value;
-        }
+      {
+        for (const auto &[master, factor] : *constraints.get_constraint_entries(column))
+          add(master, factor * value);
+        inhomogeneity[row] += constraints.get_inhomogeneity(column) * value;
+      }
     }
   };
 
   template <int dim>
   InteractionOperator<dim>::InteractionOperator(const CouplingParameters &parameters,
                                                 MPI_Comm                  communicator)
-    : parameters(parameters)
-    , kernel(create_kernel(parameters.kernel))
-    , communicator(communicator)
+      : parameters(parameters)
+      , kernel(create_kernel(parameters.kernel))
+      , communicator(communicator)
   {}
 
   template <int dim>
@@ -280,85 +281,82 @@ namespace caudal
           vertices[v][d] = positions[element.component_to_system_index(d, v)];
       std::array<unsigned int, dim> n;
       for (unsigned int d = 0; d < dim; ++d)
-        {
-          double longest = 0;
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            if ((v >> d) % 2 == 0)
-              longest = std::max(longest, vertices[v].distance(vertices[v + (1 << d)]));
-          n[d] =
-            std::clamp<double>(std::ceil(longest / largest_spacing), element.degree + 1, 32);
-        }
+      {
+        double longest = 0;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          if ((v >> d) % 2 == 0)
+            longest = std::max(longest, vertices[v].distance(vertices[v + (1 << d)]));
+        n[d] = std::clamp<double>(std::ceil(longest / largest_spacing), element.degree + 1, 32);
+      }
       return n;
     }
 
     template <int dim>
-    [[noreturn]] void throw_not_covered(const CellLattice<dim> &lattice,
-                                        const Point<dim>       &point,
-                                        const std::string      &name)
+    [[noreturn]] void throw_not_covered(const CellLattice<dim> &lattice, const Point<dim> &point,
+                                        const std::string &name)
     {
       std::ostringstream message;
       message << "Body " << name << ": near (" << point << ") ";
       if (lattice.is_inside(lattice.get_coordinates(point, lattice.get_finest_level()),
                             lattice.get_finest_level()))
-        message << "the support of the kernel leaves the finest level of the grid or touches a side "
-                   "of the domain. Increase Refinement/Body margin, adapt the grid more often "
-                   "(Refinement/Interval), keep the body away from the sides, or use the kernel "
-                   "dirac (Coupling/Kernel), which reaches no further than the body.";
+        message
+            << "the support of the kernel leaves the finest level of the grid or touches a side "
+               "of the domain. Increase Refinement/Body margin, adapt the grid more often "
+               "(Refinement/Interval), keep the body away from the sides, or use the kernel "
+               "dirac (Coupling/Kernel), which reaches no further than the body.";
       else
-        message << "the body leaves the domain. Enlarge it (Domain/Size) or start the body elsewhere "
-                   "(Body " << name << "/Shape/Position).";
+        message
+            << "the body leaves the domain. Enlarge it (Domain/Size) or start the body elsewhere "
+               "(Body "
+            << name << "/Shape/Position).";
       throw ExcMessage(message.str());
     }
   } // namespace
 
   template <int dim>
-  unsigned int InteractionOperator<dim>::reinit(const FinestCells<dim>          &finest_cells,
-                                                const DoFHandler<dim>           &velocity_dofs,
-                                                const AffineConstraints<double> &constraints,
-                                                const FieldVector               &velocity_layout,
-                                                const DoFHandler<dim>           &body_dofs,
-                                                const Vector<double>            &positions,
-                                                const std::string               &name)
+  unsigned int InteractionOperator<dim>::reinit(
+      const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
+      const AffineConstraints<double> &constraints, const FieldVector &velocity_layout,
+      const DoFHandler<dim> &body_dofs, const Vector<double> &positions, const std::string &name)
   {
     const CellLattice<dim>   &lattice      = finest_cells.get_lattice();
     const FiniteElement<dim> &body_element = body_dofs.get_fe();
     const unsigned int        n_body       = body_element.n_dofs_per_cell();
     const double              spacing =
-      0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
+        0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
-    Assembler                            assembler(kernel, finest_cells, velocity_dofs, constraints, body_dofs);
-    std::vector<double>                  seen, shape(n_body / dim);
-    std::vector<Point<dim>>              points;
-    std::vector<types::global_dof_index> body_indices(n_body);
-    Vector<double>                       cell_positions(n_body);
+    Assembler               assembler(kernel, finest_cells, velocity_dofs, constraints, body_dofs);
+    std::vector<double>     seen, shape(n_body / dim);
+    std::vector<Point<dim>> points;
+    std::vector<types::global_dof_index>                                    body_indices(n_body);
+    Vector<double>                                                          cell_positions(n_body);
     std::map<std::array<unsigned int, dim>, std::unique_ptr<FEValues<dim>>> all_values;
 
     for (const auto &cell : body_dofs.active_cell_iterators())
-      {
-        cell->get_dof_indices(body_indices);
-        cell->get_dof_values(positions, cell_positions);
-        const auto n_points =
+    {
+      cell->get_dof_indices(body_indices);
+      cell->get_dof_values(positions, cell_positions);
+      const auto n_points =
           choose_points<dim>(body_element, cell_positions, spacing / parameters.quadrature_density);
-        auto &values = all_values[n_points];
-        if (!values)
-          values = std::make_unique<FEValues<dim>>(body_element, make_quadrature<dim>(n_points),
-                                                   update_values | update_JxW_values);
-        values->reinit(cell);
-        for (const unsigned int r : values->quadrature_point_indices())
-          {
-            Point<dim> point;
-            for (unsigned int a = 0; a < shape.size(); ++a)
-              {
-                shape[a] = values->shape_value(body_element.component_to_system_index(0, a), r);
-                for (unsigned int d = 0; d < dim; ++d)
-                  point[d] +=
-                    shape[a] * cell_positions[body_element.component_to_system_index(d, a)];
-              }
-            points.push_back(point);
-            seen.push_back(assembler.add_point(point, values->JxW(r), shape));
-          }
-        assembler.finish_cell(body_indices);
+      auto &values = all_values[n_points];
+      if (!values)
+        values = std::make_unique<FEValues<dim>>(body_element, make_quadrature<dim>(n_points),
+                                                 update_values | update_JxW_values);
+      values->reinit(cell);
+      for (const unsigned int r : values->quadrature_point_indices())
+      {
+        Point<dim> point;
+        for (unsigned int a = 0; a < shape.size(); ++a)
+        {
+          shape[a] = values->shape_value(body_element.component_to_system_index(0, a), r);
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] += shape[a] * cell_positions[body_element.component_to_system_index(d, a)];
+        }
+        points.push_back(point);
+        seen.push_back(assembler.add_point(point, values->JxW(r), shape));
       }
+      assembler.finish_cell(body_indices);
+    }
 
     Utilities::MPI::sum(seen, communicator, seen);
     for (unsigned int r = 0; r < points.size(); ++r)
@@ -384,43 +382,42 @@ namespace caudal
     for (std::size_t k = 0; k < n_loose; ++k)
       order[next[assembler.rows[k]]++] = k;
 
-    const unsigned int       n_local = partitioner->locally_owned_size() + partitioner->n_ghost_indices();
+    const unsigned int n_local = partitioner->locally_owned_size() + partitioner->n_ghost_indices();
     std::vector<std::size_t> place(n_local, 0); // 1 + position of a column in its row
     row_start.assign(1, 0);
     columns.clear();
     local_columns.clear();
     entries.clear();
     for (unsigned int row = 0; row < n_rows; ++row)
+    {
+      for (std::size_t k = start[row]; k < start[row + 1]; ++k)
       {
-        for (std::size_t k = start[row]; k < start[row + 1]; ++k)
-          {
-            const types::global_dof_index column = assembler.columns[order[k]];
-            const unsigned int            local  = partitioner->global_to_local(column);
-            if (place[local] <= row_start.back())
-              {
-                columns.push_back(column);
-                local_columns.push_back(local);
-                entries.push_back(0);
-                place[local] = entries.size();
-              }
-            entries[place[local] - 1] += assembler.values[order[k]];
-          }
-        row_start.push_back(entries.size());
+        const types::global_dof_index column = assembler.columns[order[k]];
+        const unsigned int            local  = partitioner->global_to_local(column);
+        if (place[local] <= row_start.back())
+        {
+          columns.push_back(column);
+          local_columns.push_back(local);
+          entries.push_back(0);
+          place[local] = entries.size();
+        }
+        entries[place[local] - 1] += assembler.values[order[k]];
       }
+      row_start.push_back(entries.size());
+    }
   }
 
   template <int dim>
-  void InteractionOperator<dim>::interpolate(const FieldVector &velocity,
-                                             Vector<double>    &result,
-                                             const bool         homogeneous) const
+  void InteractionOperator<dim>::interpolate(const FieldVector &velocity, Vector<double> &result,
+                                             const bool homogeneous) const
   {
     for (unsigned int row = 0; row + 1 < row_start.size(); ++row)
-      {
-        double sum = 0;
-        for (std::size_t k = row_start[row]; k < row_start[row + 1]; ++k)
-          sum += entries[k] * velocity.local_element(local_columns[k]);
-        result[row] = sum;
-      }
+    {
+      double sum = 0;
+      for (std::size_t k = row_start[row]; k < row_start[row + 1]; ++k)
+        sum += entries[k] * velocity.local_element(local_columns[k]);
+      result[row] = sum;
+    }
     Utilities::MPI::sum(result, communicator, result);
     if (!homogeneous)
       result += inhomogeneity;

@@ -10,8 +10,8 @@ namespace caudal
   CellMatrices<dim>::CellMatrices(const FESystem<dim>  &velocity_element,
                                   const FE_DGP<dim>    &pressure_element,
                                   const Tensor<1, dim> &cell_size)
-    : velocity_element(velocity_element)
-    , cell_size(cell_size)
+      : velocity_element(velocity_element)
+      , cell_size(cell_size)
   {
     Triangulation<dim> cell;
     GridGenerator::hyper_rectangle(cell, Point<dim>(), Point<dim>(cell_size));
@@ -42,46 +42,46 @@ namespace caudal
     FullMatrix<double>               pressure_mass(n_p, n_p);
     const FEValuesExtractors::Vector velocities(0);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
+    {
+      const double weight = velocity.JxW(q);
+      point_weight[q]     = weight;
+      for (unsigned int i = 0; i < n_s; ++i)
       {
-        const double weight = velocity.JxW(q);
-        point_weight[q]     = weight;
-        for (unsigned int i = 0; i < n_s; ++i)
-          {
-            values(q, i)    = scalar.shape_value(i, q);
-            gradients[q][i] = scalar.shape_grad(i, q);
-            for (unsigned int j = 0; j < n_s; ++j)
-              {
-                mass(i, j) += weight * scalar.shape_value(i, q) * scalar.shape_value(j, q);
-                stiffness(i, j) += weight * (scalar.shape_grad(i, q) * scalar.shape_grad(j, q));
-              }
-          }
-        for (unsigned int i = 0; i < n_u; ++i)
-          for (unsigned int j = 0; j < n_u; ++j)
-            grad_div(i, j) +=
-              weight * velocity[velocities].divergence(i, q) * velocity[velocities].divergence(j, q);
-        for (unsigned int k = 0; k < n_p; ++k)
-          {
-            for (unsigned int i = 0; i < n_u; ++i)
-              divergence(k, i) +=
-                weight * pressure.shape_value(k, q) * velocity[velocities].divergence(i, q);
-            for (unsigned int l = 0; l < n_p; ++l)
-              pressure_mass(k, l) += weight * pressure.shape_value(k, q) * pressure.shape_value(l, q);
-          }
+        values(q, i)    = scalar.shape_value(i, q);
+        gradients[q][i] = scalar.shape_grad(i, q);
+        for (unsigned int j = 0; j < n_s; ++j)
+        {
+          mass(i, j) += weight * scalar.shape_value(i, q) * scalar.shape_value(j, q);
+          stiffness(i, j) += weight * (scalar.shape_grad(i, q) * scalar.shape_grad(j, q));
+        }
       }
+      for (unsigned int i = 0; i < n_u; ++i)
+        for (unsigned int j = 0; j < n_u; ++j)
+          grad_div(i, j) += weight * velocity[velocities].divergence(i, q) *
+                            velocity[velocities].divergence(j, q);
+      for (unsigned int k = 0; k < n_p; ++k)
+      {
+        for (unsigned int i = 0; i < n_u; ++i)
+          divergence(k, i) +=
+              weight * pressure.shape_value(k, q) * velocity[velocities].divergence(i, q);
+        for (unsigned int l = 0; l < n_p; ++l)
+          pressure_mass(k, l) += weight * pressure.shape_value(k, q) * pressure.shape_value(l, q);
+      }
+    }
     inverse_pressure_mass.invert(pressure_mass);
     augmentation.triple_product(inverse_pressure_mass, divergence, divergence, true, false);
 
     // 1, x, y, (z) about the cell's centre are orthogonal; normalise them.
     linear_values.reinit(quadrature.size(), dim + 1);
-    const double volume = velocity_element.reference_cell().volume() *
-                          std::accumulate(cell_size.begin_raw(), cell_size.end_raw(), 1.,
-                                          std::multiplies<double>());
+    const double volume =
+        velocity_element.reference_cell().volume() *
+        std::accumulate(cell_size.begin_raw(), cell_size.end_raw(), 1., std::multiplies<double>());
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        linear_values(q, 0) = 1 / std::sqrt(volume);
-        for (unsigned int d = 0; d < dim; ++d)
-          linear_values(q, d + 1) = (quadrature.point(q)[d] - 0.5) * std::sqrt(12. / volume);
-      }
+    {
+      linear_values(q, 0) = 1 / std::sqrt(volume);
+      for (unsigned int d = 0; d < dim; ++d)
+        linear_values(q, d + 1) = (quadrature.point(q)[d] - 0.5) * std::sqrt(12. / volume);
+    }
   }
 
   template <int dim>
@@ -95,60 +95,58 @@ namespace caudal
       matrix.add(weights.augmentation, augmentation);
     for (unsigned int i = 0; i < matrix.m(); ++i)
       for (unsigned int j = 0; j < matrix.n(); ++j)
-        {
-          const auto [component_i, scalar_i] = velocity_element.system_to_component_index(i);
-          const auto [component_j, scalar_j] = velocity_element.system_to_component_index(j);
-          if (component_i == component_j)
-            matrix(i, j) += weights.inertia * mass(scalar_i, scalar_j) +
-                            weights.viscosity * stiffness(scalar_i, scalar_j);
-        }
+      {
+        const auto [component_i, scalar_i] = velocity_element.system_to_component_index(i);
+        const auto [component_j, scalar_j] = velocity_element.system_to_component_index(j);
+        if (component_i == component_j)
+          matrix(i, j) += weights.inertia * mass(scalar_i, scalar_j) +
+                          weights.viscosity * stiffness(scalar_i, scalar_j);
+      }
   }
 
   template <int dim>
   void CellMatrices<dim>::get_convection_matrix(const Vector<double> &transport,
-                                                const double          density,
-                                                const double          stabilisation,
-                                                const double          rate,
-                                                FullMatrix<double>   &matrix) const
+                                                const double density, const double stabilisation,
+                                                const double rate, FullMatrix<double> &matrix) const
   {
     const unsigned int n_s = values.n(), n_q = values.m();
     Tensor<1, dim>     nodal_transport[27];
     double             largest_speed = 0;
     for (unsigned int i = 0; i < transport.size(); ++i)
-      {
-        const auto [component, scalar]     = velocity_element.system_to_component_index(i);
-        nodal_transport[scalar][component] = transport[i];
-      }
+    {
+      const auto [component, scalar]     = velocity_element.system_to_component_index(i);
+      nodal_transport[scalar][component] = transport[i];
+    }
     for (unsigned int i = 0; i < n_s; ++i)
       largest_speed = std::max(largest_speed, nodal_transport[i].norm());
 
     // Streamline derivatives of the shape functions and their linear moments.
     double derivatives[64][27], moments[dim + 1][27] = {};
     for (unsigned int q = 0; q < n_q; ++q)
+    {
+      Tensor<1, dim> w;
+      for (unsigned int i = 0; i < n_s; ++i)
+        w += values(q, i) * nodal_transport[i];
+      for (unsigned int i = 0; i < n_s; ++i)
       {
-        Tensor<1, dim> w;
-        for (unsigned int i = 0; i < n_s; ++i)
-          w += values(q, i) * nodal_transport[i];
-        for (unsigned int i = 0; i < n_s; ++i)
-          {
-            derivatives[q][i] = w * gradients[q][i];
-            for (unsigned int k = 0; k <= dim; ++k)
-              moments[k][i] += point_weight[q] * linear_values(q, k) * derivatives[q][i];
-          }
+        derivatives[q][i] = w * gradients[q][i];
+        for (unsigned int k = 0; k <= dim; ++k)
+          moments[k][i] += point_weight[q] * linear_values(q, k) * derivatives[q][i];
       }
+    }
 
     const double h   = cell_size.norm() / std::sqrt(dim);
     const double tau = density * stabilisation / std::max({largest_speed / h, rate, 1e-300});
     matrix           = 0;
     for (unsigned int q = 0; q < n_q; ++q)
-      {
-        const double advection = 0.5 * density * point_weight[q], diffusion = tau * point_weight[q];
-        for (unsigned int i = 0; i < n_s; ++i)
-          for (unsigned int j = 0; j < n_s; ++j)
-            matrix(i, j) += advection * (values(q, i) * derivatives[q][j] -
-                                         values(q, j) * derivatives[q][i]) +
-                            diffusion * derivatives[q][i] * derivatives[q][j];
-      }
+    {
+      const double advection = 0.5 * density * point_weight[q], diffusion = tau * point_weight[q];
+      for (unsigned int i = 0; i < n_s; ++i)
+        for (unsigned int j = 0; j < n_s; ++j)
+          matrix(i, j) +=
+              advection * (values(q, i) * derivatives[q][j] - values(q, j) * derivatives[q][i]) +
+              diffusion * derivatives[q][i] * derivatives[q][j];
+    }
     for (unsigned int k = 0; k <= dim; ++k)
       for (unsigned int i = 0; i < n_s; ++i)
         for (unsigned int j = 0; j < n_s; ++j)

@@ -10,9 +10,9 @@ namespace caudal
 {
   template <int dim>
   FluidParameters<dim>::FluidParameters()
-    : inflow_velocity(dim == 2 ? "0; 0" : "0; 0; 0")
-    , initial_velocity(inflow_velocity)
-    , body_force(inflow_velocity)
+      : inflow_velocity(dim == 2 ? "0; 0" : "0; 0; 0")
+      , initial_velocity(inflow_velocity)
+      , body_force(inflow_velocity)
   {}
 
   template <int dim>
@@ -28,10 +28,12 @@ namespace caudal
                       "Coefficient c of the local projection stabilisation of the streamline "
                       "derivative, c rho h/|u| (k(u.grad u), k(u.grad v)), k = identity minus the "
                       "projection on linear functions in the cell [1].");
-    prm.add_parameter("Backflow stabilisation", backflow_stabilisation,
-                      "Let no kinetic energy enter through an outflow side where the flow reverses.");
-    prm.add_parameter("Inflow velocity", inflow_velocity,
-                      "Velocity on inflow sides as function of x, y, (z,) t, components separated by ';' [m/s].");
+    prm.add_parameter(
+        "Backflow stabilisation", backflow_stabilisation,
+        "Let no kinetic energy enter through an outflow side where the flow reverses.");
+    prm.add_parameter(
+        "Inflow velocity", inflow_velocity,
+        "Velocity on inflow sides as function of x, y, (z,) t, components separated by ';' [m/s].");
     prm.add_parameter("Inflow ramp", inflow_ramp,
                       "Time during which the inflow velocity grows as (1-cos(pi t/ramp))/2 [s].");
     prm.add_parameter("Initial velocity", initial_velocity,
@@ -78,10 +80,10 @@ namespace caudal
   {
     std::vector<BoundaryCondition> conditions;
     for (const std::string &name : boundary_names)
-      conditions.push_back(name == "wall"    ? BoundaryCondition::wall :
-                           name == "inflow"  ? BoundaryCondition::inflow :
-                           name == "outflow" ? BoundaryCondition::outflow :
-                                               BoundaryCondition::free_slip);
+      conditions.push_back(name == "wall"      ? BoundaryCondition::wall
+                           : name == "inflow"  ? BoundaryCondition::inflow
+                           : name == "outflow" ? BoundaryCondition::outflow
+                                               : BoundaryCondition::free_slip);
     return conditions;
   }
 

@@ -20,10 +20,10 @@ namespace caudal
     {
     public:
       RampedInflow(const Function<dim> &velocity, const double ramp, const std::string &expression)
-        : Function<dim>(dim)
-        , velocity(velocity)
-        , ramp(ramp)
-        , expression(expression)
+          : Function<dim>(dim)
+          , velocity(velocity)
+          , ramp(ramp)
+          , expression(expression)
       {}
 
       double value(const Point<dim> &point, const unsigned int component) const override
@@ -43,13 +43,13 @@ namespace caudal
   FluidSpace<dim>::FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
                               const DomainParameters<dim>               &domain,
                               const FluidParameters<dim>                &parameters)
-    : velocity_element(FE_Q<dim>(2), dim)
-    , pressure_element(1)
-    , velocity_dofs(triangulation)
-    , pressure_dofs(triangulation)
-    , triangulation(triangulation)
-    , parameters(parameters)
-    , domain_size(domain.size)
+      : velocity_element(FE_Q<dim>(2), dim)
+      , pressure_element(1)
+      , velocity_dofs(triangulation)
+      , pressure_dofs(triangulation)
+      , triangulation(triangulation)
+      , parameters(parameters)
+      , domain_size(domain.size)
   {
     for (unsigned int level = 0; level < domain.levels; ++level)
       cell_matrices.emplace_back(velocity_element, pressure_element, domain.get_cell_size(level));
@@ -83,9 +83,9 @@ namespace caudal
     const Functions::ZeroFunction<dim> zero(dim);
     const auto inflow = make_expression<dim>(inflow_path, parameters.inflow_velocity, dim);
     inflow->set_time(time);
-    const double ramp = time < parameters.inflow_ramp ?
-                          0.5 * (1 - std::cos(numbers::PI * time / parameters.inflow_ramp)) :
-                          1;
+    const double            ramp = time < parameters.inflow_ramp
+                                       ? 0.5 * (1 - std::cos(numbers::PI * time / parameters.inflow_ramp))
+                                       : 1;
     const RampedInflow<dim> ramped_inflow(*inflow, ramp, parameters.inflow_velocity);
 
     const std::vector<BoundaryCondition> conditions = parameters.get_boundary_conditions();
@@ -94,16 +94,15 @@ namespace caudal
          {BoundaryCondition::wall, BoundaryCondition::inflow, BoundaryCondition::free_slip})
       for (unsigned int side = 0; side < conditions.size(); ++side)
         if (conditions[side] == condition)
-          {
-            ComponentMask components(dim, condition != BoundaryCondition::free_slip);
-            components.set(side / 2, true);
-            const bool is_inflow = condition == BoundaryCondition::inflow && !homogeneous;
-            VectorTools::interpolate_boundary_values(velocity_dofs, side,
-                                                     is_inflow ?
-                                                       static_cast<const Function<dim> &>(ramped_inflow) :
-                                                       zero,
-                                                     result, components);
-          }
+        {
+          ComponentMask components(dim, condition != BoundaryCondition::free_slip);
+          components.set(side / 2, true);
+          const bool is_inflow = condition == BoundaryCondition::inflow && !homogeneous;
+          VectorTools::interpolate_boundary_values(
+              velocity_dofs, side,
+              is_inflow ? static_cast<const Function<dim> &>(ramped_inflow) : zero, result,
+              components);
+        }
     result.close();
     return result;
   }

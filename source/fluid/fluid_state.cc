@@ -4,8 +4,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
 #include <deal.II/numerics/vector_tools_integrate_difference.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 #include <deal.II/numerics/vector_tools_mean_value.h>
 
 #include <cmath>
@@ -35,11 +35,12 @@ namespace caudal
     class CheckedFunction : public Function<dim>
     {
     public:
-      CheckedFunction(const std::string &path, const std::string &expression, const unsigned int n_components)
-        : Function<dim>(n_components)
-        , path(path)
-        , expression(expression)
-        , function(make_expression<dim>(path, expression, n_components))
+      CheckedFunction(const std::string &path, const std::string &expression,
+                      const unsigned int n_components)
+          : Function<dim>(n_components)
+          , path(path)
+          , expression(expression)
+          , function(make_expression<dim>(path, expression, n_components))
       {}
 
       double value(const Point<dim> &point, const unsigned int component) const override
@@ -64,9 +65,9 @@ namespace caudal
     {
     public:
       Components(const Function<dim> &function, const unsigned int first, const unsigned int n)
-        : Function<dim>(n)
-        , function(function)
-        , first(first)
+          : Function<dim>(n)
+          , function(function)
+          , first(first)
       {}
 
       double value(const Point<dim> &point, const unsigned int component) const override
@@ -94,38 +95,38 @@ namespace caudal
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity)
   {
-    const FESystem<dim>   &element    = space.velocity_element;
-    const auto            &parameters = space.get_parameters();
-    const unsigned int     n = element.n_dofs_per_cell(), n_s = n / dim;
-    Vector<double>         values(n), scalar(n_s), product(n_s), grad_div_product(n);
+    const FESystem<dim>        &element    = space.velocity_element;
+    const auto                 &parameters = space.get_parameters();
+    const unsigned int          n = element.n_dofs_per_cell(), n_s = n / dim;
+    Vector<double>              values(n), scalar(n_s), product(n_s), grad_div_product(n);
     std::vector<Tensor<1, dim>> nodal(n_s);
-    FlowSummary<dim>       summary;
-    double                 divergence = 0;
+    FlowSummary<dim>            summary;
+    double                      divergence = 0;
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
+      {
+        const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
+        cell->get_dof_values(velocity, values);
+        for (unsigned int d = 0; d < dim; ++d)
         {
-          const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
-          cell->get_dof_values(velocity, values);
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              for (unsigned int s = 0; s < n_s; ++s)
-                nodal[s][d] = scalar[s] = values[element.component_to_system_index(d, s)];
-              matrices.get_mass().vmult(product, scalar);
-              summary.kinetic_energy += 0.5 * parameters.density * (scalar * product);
-              summary.momentum[d] += parameters.density * product.size() * product.mean_value();
-              matrices.get_stiffness().vmult(product, scalar);
-              summary.viscous_dissipation += parameters.get_viscosity() * (scalar * product);
-            }
-          matrices.get_grad_div().vmult(grad_div_product, values);
-          divergence += values * grad_div_product;
-          for (const Tensor<1, dim> &u : nodal)
-            {
-              summary.largest_velocity = std::max(summary.largest_velocity, u.norm());
-              for (unsigned int d = 0; d < dim; ++d)
-                summary.largest_rate =
-                  std::max(summary.largest_rate, std::abs(u[d]) / (0.5 * matrices.get_cell_size()[d]));
-            }
+          for (unsigned int s = 0; s < n_s; ++s)
+            nodal[s][d] = scalar[s] = values[element.component_to_system_index(d, s)];
+          matrices.get_mass().vmult(product, scalar);
+          summary.kinetic_energy += 0.5 * parameters.density * (scalar * product);
+          summary.momentum[d] += parameters.density * product.size() * product.mean_value();
+          matrices.get_stiffness().vmult(product, scalar);
+          summary.viscous_dissipation += parameters.get_viscosity() * (scalar * product);
         }
+        matrices.get_grad_div().vmult(grad_div_product, values);
+        divergence += values * grad_div_product;
+        for (const Tensor<1, dim> &u : nodal)
+        {
+          summary.largest_velocity = std::max(summary.largest_velocity, u.norm());
+          for (unsigned int d = 0; d < dim; ++d)
+            summary.largest_rate = std::max(summary.largest_rate,
+                                            std::abs(u[d]) / (0.5 * matrices.get_cell_size()[d]));
+        }
+      }
     MPI_Comm communicator       = space.get_communicator();
     summary.kinetic_energy      = Utilities::MPI::sum(summary.kinetic_energy, communicator);
     summary.viscous_dissipation = Utilities::MPI::sum(summary.viscous_dissipation, communicator);
@@ -134,8 +135,9 @@ namespace caudal
     summary.momentum            = Utilities::MPI::sum(summary.momentum, communicator);
     divergence                  = Utilities::MPI::sum(divergence, communicator);
     // Round-off can make a vanishing sum of squares negative.
-    summary.divergence_norm      = std::sqrt(std::max(divergence, 0.));
-    summary.grad_div_dissipation = parameters.density * parameters.grad_div * std::max(divergence, 0.);
+    summary.divergence_norm = std::sqrt(std::max(divergence, 0.));
+    summary.grad_div_dissipation =
+        parameters.density * parameters.grad_div * std::max(divergence, 0.);
     return summary;
   }
 
@@ -156,30 +158,31 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space, const FieldVector &velocity)
+  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
+                                            const FieldVector     &velocity)
   {
-    Vector<float> indicator(space.get_triangulation().n_active_cells());
-    FEValues<dim> values(space.velocity_element, QGauss<dim>(2), update_gradients);
+    Vector<float>               indicator(space.get_triangulation().n_active_cells());
+    FEValues<dim>               values(space.velocity_element, QGauss<dim>(2), update_gradients);
     std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          values.reinit(cell);
-          values[FEValuesExtractors::Vector(0)].get_function_gradients(velocity, gradients);
-          const double h = space.get_cell_size(cell->level()).norm() / std::sqrt(dim);
-          for (const Tensor<2, dim> &gradient : gradients)
-            indicator[cell->active_cell_index()] =
-              std::max<float>(indicator[cell->active_cell_index()],
-                              h * compute_vorticity(gradient).norm());
-        }
+      {
+        values.reinit(cell);
+        values[FEValuesExtractors::Vector(0)].get_function_gradients(velocity, gradients);
+        const double h = space.get_cell_size(cell->level()).norm() / std::sqrt(dim);
+        for (const Tensor<2, dim> &gradient : gradients)
+          indicator[cell->active_cell_index()] = std::max<float>(
+              indicator[cell->active_cell_index()], h * compute_vorticity(gradient).norm());
+      }
     return indicator;
   }
 
   template <int dim>
-  std::pair<double, double>
-  compute_errors(const FluidSpace<dim> &space, const FluidState<dim> &state, const double time)
+  std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
+                                           const FluidState<dim> &state, const double time)
   {
-    CheckedFunction<dim> exact("Fluid/Exact solution", space.get_parameters().exact_solution, dim + 1);
+    CheckedFunction<dim> exact("Fluid/Exact solution", space.get_parameters().exact_solution,
+                               dim + 1);
     exact.set_time(time);
     const Components<dim> exact_velocity(exact, 0, dim), exact_pressure(exact, dim, 1);
     const QGauss<dim>     quadrature(5);
@@ -188,27 +191,26 @@ namespace caudal
     VectorTools::integrate_difference(space.velocity_dofs, state.velocity, exact_velocity, errors,
                                       quadrature, VectorTools::L2_norm);
     const double velocity_error =
-      VectorTools::compute_global_error(triangulation, errors, VectorTools::L2_norm);
+        VectorTools::compute_global_error(triangulation, errors, VectorTools::L2_norm);
 
     // The pressure is known up to a constant if no side fixes it.
     FEValues<dim>       values(space.pressure_element, quadrature,
-                         update_values | update_quadrature_points | update_JxW_values);
+                               update_values | update_quadrature_points | update_JxW_values);
     std::vector<double> pressures(quadrature.size());
     double              volume = 0, mean = 0, square = 0;
     for (const auto &cell : space.pressure_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
+      {
+        values.reinit(cell);
+        values.get_function_values(state.pressure, pressures);
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          values.reinit(cell);
-          values.get_function_values(state.pressure, pressures);
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const double error =
-                pressures[q] - exact_pressure.value(values.quadrature_point(q), 0);
-              volume += values.JxW(q);
-              mean += error * values.JxW(q);
-              square += error * error * values.JxW(q);
-            }
+          const double error = pressures[q] - exact_pressure.value(values.quadrature_point(q), 0);
+          volume += values.JxW(q);
+          mean += error * values.JxW(q);
+          square += error * error * values.JxW(q);
         }
+      }
     volume = Utilities::MPI::sum(volume, space.get_communicator());
     mean   = Utilities::MPI::sum(mean, space.get_communicator()) / volume;
     square = Utilities::MPI::sum(square, space.get_communicator());
@@ -217,18 +219,18 @@ namespace caudal
 
   template <int dim>
   void VorticityPostprocessor<dim>::evaluate_vector_field(
-    const DataPostprocessorInputs::Vector<dim> &input,
-    std::vector<Vector<double>>                &quantities) const
+      const DataPostprocessorInputs::Vector<dim> &input,
+      std::vector<Vector<double>>                &quantities) const
   {
     for (unsigned int q = 0; q < quantities.size(); ++q)
-      {
-        Tensor<2, dim> gradient;
-        for (unsigned int d = 0; d < dim; ++d)
-          gradient[d] = input.solution_gradients[q][d];
-        const auto vorticity = compute_vorticity(gradient);
-        for (unsigned int d = 0; d < quantities[q].size(); ++d)
-          quantities[q][d] = vorticity[d];
-      }
+    {
+      Tensor<2, dim> gradient;
+      for (unsigned int d = 0; d < dim; ++d)
+        gradient[d] = input.solution_gradients[q][d];
+      const auto vorticity = compute_vorticity(gradient);
+      for (unsigned int d = 0; d < quantities[q].size(); ++d)
+        quantities[q][d] = vorticity[d];
+    }
   }
 
   template <int dim>
@@ -244,7 +246,7 @@ namespace caudal
     if (dim == 2)
       return {DataComponentInterpretation::component_is_scalar};
     return std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-      3, DataComponentInterpretation::component_is_part_of_vector);
+        3, DataComponentInterpretation::component_is_part_of_vector);
   }
 
   template <int dim>
@@ -253,12 +255,14 @@ namespace caudal
     return update_gradients;
   }
 
-#define INSTANTIATE(dim)                                                                                 \
-  template struct FluidState<dim>;                                                                       \
-  template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);            \
-  template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);                \
-  template Vector<float>    compute_vorticity_indicator(const FluidSpace<dim> &, const FieldVector &);   \
-  template std::pair<double, double> compute_errors(const FluidSpace<dim> &, const FluidState<dim> &, double); \
+#define INSTANTIATE(dim)                                                                           \
+  template struct FluidState<dim>;                                                                 \
+  template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);      \
+  template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
+  template Vector<float>    compute_vorticity_indicator(const FluidSpace<dim> &,                   \
+                                                        const FieldVector &);                      \
+  template std::pair<double, double> compute_errors(const FluidSpace<dim> &,                       \
+                                                    const FluidState<dim> &, double);              \
   template class VorticityPostprocessor<dim>;
   INSTANTIATE(2)
   INSTANTIATE(3)

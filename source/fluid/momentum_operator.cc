@@ -12,16 +12,17 @@ namespace caudal
 {
   template <int dim>
   MomentumOperator<dim>::MomentumOperator(const FluidSpace<dim> &space)
-    : space(space)
+      : space(space)
   {}
 
   template <int dim>
   void MomentumOperator<dim>::reinit()
   {
-    const DoFHandler<dim> &velocity_dofs = space.velocity_dofs, &pressure_dofs = space.pressure_dofs;
-    const IndexSet        &owned_velocities = velocity_dofs.locally_owned_dofs();
-    const IndexSet        &owned_pressures  = pressure_dofs.locally_owned_dofs();
-    IndexSet               relevant;
+    const DoFHandler<dim> &velocity_dofs = space.velocity_dofs,
+                          &pressure_dofs = space.pressure_dofs;
+    const IndexSet &owned_velocities     = velocity_dofs.locally_owned_dofs();
+    const IndexSet &owned_pressures      = pressure_dofs.locally_owned_dofs();
+    IndexSet        relevant;
     DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
 
     TrilinosWrappers::SparsityPattern pattern(owned_velocities, owned_velocities, relevant,
@@ -37,17 +38,17 @@ namespace caudal
     const AffineConstraints<double>      no_constraints;
     std::vector<types::global_dof_index> rows(pressure_dofs.get_fe().n_dofs_per_cell());
     std::vector<types::global_dof_index> columns(velocity_dofs.get_fe().n_dofs_per_cell());
-    TrilinosWrappers::SparsityPattern divergence_pattern(owned_pressures, owned_velocities,
-                                                         space.get_communicator(), columns.size());
-    const auto for_each_cell = [&](const auto &operation) {
+    TrilinosWrappers::SparsityPattern    divergence_pattern(owned_pressures, owned_velocities,
+                                                            space.get_communicator(), columns.size());
+    const auto                           for_each_cell = [&](const auto &operation) {
       for (const auto &cell : velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
-          {
-            cell->get_dof_indices(columns);
-            typename DoFHandler<dim>::active_cell_iterator(*cell, &pressure_dofs)
+        {
+          cell->get_dof_indices(columns);
+          typename DoFHandler<dim>::active_cell_iterator(*cell, &pressure_dofs)
               ->get_dof_indices(rows);
-            operation(cell->level());
-          }
+          operation(cell->level());
+        }
     };
     for_each_cell([&](const unsigned int) {
       no_constraints.add_entries_local_to_global(rows, space.homogeneous_constraints, columns,
@@ -72,18 +73,18 @@ namespace caudal
     std::vector<types::global_dof_index> dofs(n);
     std::vector<FullMatrix<double>>      level_matrices;
     for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
-      {
-        level_matrices.emplace_back(n, n);
-        space.get_cell_matrices(level).get_momentum_matrix(weights, level_matrices.back());
-      }
+    {
+      level_matrices.emplace_back(n, n);
+      space.get_cell_matrices(level).get_momentum_matrix(weights, level_matrices.back());
+    }
     constant_matrix = 0;
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          space.homogeneous_constraints.distribute_local_to_global(level_matrices[cell->level()],
-                                                                   dofs, constant_matrix);
-        }
+      {
+        cell->get_dof_indices(dofs);
+        space.homogeneous_constraints.distribute_local_to_global(level_matrices[cell->level()],
+                                                                 dofs, constant_matrix);
+      }
     constant_matrix.compress(VectorOperation::add);
     constant_weights         = weights;
     constant_matrix_is_valid = true;
@@ -102,8 +103,7 @@ namespace caudal
     template <int dim>
     void add_outflow_terms(const FluidSpace<dim>                                &space,
                            const typename DoFHandler<dim>::active_cell_iterator &cell,
-                           const Vector<double>                                 &transport,
-                           FullMatrix<double>                                   &convection)
+                           const Vector<double> &transport, FullMatrix<double> &convection)
     {
       const FESystem<dim> &element    = space.velocity_element;
       const auto          &scalar     = element.base_element(0);
@@ -111,29 +111,29 @@ namespace caudal
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() &&
             conditions[cell->face(f)->boundary_id()] == BoundaryCondition::outflow)
+        {
+          const QGauss<dim - 1> face_quadrature(3);
+          const Quadrature<dim> quadrature = QProjector<dim>::project_to_face(
+              ReferenceCells::get_hypercube<dim>(), face_quadrature, f);
+          const double area = cell->face(f)->measure();
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            const QGauss<dim - 1> face_quadrature(3);
-            const Quadrature<dim> quadrature =
-              QProjector<dim>::project_to_face(ReferenceCells::get_hypercube<dim>(), face_quadrature, f);
-            const double area = cell->face(f)->measure();
-            for (unsigned int q = 0; q < quadrature.size(); ++q)
-              {
-                const Point<dim> &point           = quadrature.point(q);
-                double            normal_velocity = 0;
-                for (unsigned int s = 0; s < convection.m(); ++s)
-                  normal_velocity += (f % 2 == 0 ? -1 : 1) *
-                                     transport[element.component_to_system_index(f / 2, s)] *
-                                     scalar.shape_value(s, point);
-                if (space.get_parameters().backflow_stabilisation)
-                  normal_velocity = std::max(normal_velocity, 0.);
-                const double factor = 0.5 * space.get_parameters().density * normal_velocity * area *
-                                      face_quadrature.weight(q);
-                for (unsigned int i = 0; i < convection.m(); ++i)
-                  for (unsigned int j = 0; j < convection.n(); ++j)
-                    convection(i, j) +=
-                      factor * scalar.shape_value(i, point) * scalar.shape_value(j, point);
-              }
+            const Point<dim> &point           = quadrature.point(q);
+            double            normal_velocity = 0;
+            for (unsigned int s = 0; s < convection.m(); ++s)
+              normal_velocity += (f % 2 == 0 ? -1 : 1) *
+                                 transport[element.component_to_system_index(f / 2, s)] *
+                                 scalar.shape_value(s, point);
+            if (space.get_parameters().backflow_stabilisation)
+              normal_velocity = std::max(normal_velocity, 0.);
+            const double factor = 0.5 * space.get_parameters().density * normal_velocity * area *
+                                  face_quadrature.weight(q);
+            for (unsigned int i = 0; i < convection.m(); ++i)
+              for (unsigned int j = 0; j < convection.n(); ++j)
+                convection(i, j) +=
+                    factor * scalar.shape_value(i, point) * scalar.shape_value(j, point);
           }
+        }
     }
   } // namespace
 
@@ -145,9 +145,9 @@ namespace caudal
     {
     public:
       explicit ComponentwiseProduct(const FESystem<dim> &element)
-        : n_scalar(element.n_dofs_per_cell() / dim)
-        , input(n_scalar)
-        , output(n_scalar)
+          : n_scalar(element.n_dofs_per_cell() / dim)
+          , input(n_scalar)
+          , output(n_scalar)
       {
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int s = 0; s < n_scalar; ++s)
@@ -155,19 +155,17 @@ namespace caudal
       }
 
       /** result -= weight * matrix applied to each component of values */
-      void subtract(const double              weight,
-                    const FullMatrix<double> &matrix,
-                    const Vector<double>     &values,
-                    Vector<double>           &result)
+      void subtract(const double weight, const FullMatrix<double> &matrix,
+                    const Vector<double> &values, Vector<double> &result)
       {
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            for (unsigned int s = 0; s < n_scalar; ++s)
-              input[s] = values[index[d][s]];
-            matrix.vmult(output, input);
-            for (unsigned int s = 0; s < n_scalar; ++s)
-              result[index[d][s]] -= weight * output[s];
-          }
+        {
+          for (unsigned int s = 0; s < n_scalar; ++s)
+            input[s] = values[index[d][s]];
+          matrix.vmult(output, input);
+          for (unsigned int s = 0; s < n_scalar; ++s)
+            result[index[d][s]] -= weight * output[s];
+        }
       }
 
       /** The scalar matrix as one for all components. */
@@ -195,32 +193,31 @@ namespace caudal
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
     CellAssembler(const FluidSpace<dim> &space, const MomentumStep &step)
-      : space(space)
-      , step(step)
-      , parameters(space.get_parameters())
-      , rate(step.weights.inertia / parameters.density)
-      , componentwise(space.velocity_element)
-      , values(space.velocity_element.n_dofs_per_cell())
-      , product(values.size())
-      , transport(values.size())
-      , pressures(space.pressure_element.n_dofs_per_cell())
-      , convection(values.size() / dim, values.size() / dim)
-      , force_values(space.velocity_element,
-                     QGauss<dim>(3),
-                     update_values | update_quadrature_points | update_JxW_values)
+        : space(space)
+        , step(step)
+        , parameters(space.get_parameters())
+        , rate(step.weights.inertia / parameters.density)
+        , componentwise(space.velocity_element)
+        , values(space.velocity_element.n_dofs_per_cell())
+        , product(values.size())
+        , transport(values.size())
+        , pressures(space.pressure_element.n_dofs_per_cell())
+        , convection(values.size() / dim, values.size() / dim)
+        , force_values(space.velocity_element, QGauss<dim>(3),
+                       update_values | update_quadrature_points | update_JxW_values)
     {
       for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
-        {
-          implicit_matrices.emplace_back(values.size(), values.size());
-          old_matrices.emplace_back(values.size(), values.size());
-          space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
-          space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
-        }
+      {
+        implicit_matrices.emplace_back(values.size(), values.size());
+        old_matrices.emplace_back(values.size(), values.size());
+        space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
+        space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
+      }
       if (parameters.body_force.find_first_not_of("0; ") != std::string::npos)
-        {
-          body_force = make_expression<dim>(body_force_path, parameters.body_force, dim);
-          body_force->set_time(step.time);
-        }
+      {
+        body_force = make_expression<dim>(body_force_path, parameters.body_force, dim);
+        body_force->set_time(step.time);
+      }
     }
 
     /** residual -= the terms known from before; += pressure and body force */
@@ -228,22 +225,22 @@ namespace caudal
     {
       const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
       if (step.inertia_history != nullptr)
-        {
-          cell->get_dof_values(*step.inertia_history, values);
-          componentwise.subtract(1, matrices.get_mass(), values, residual);
-        }
+      {
+        cell->get_dof_values(*step.inertia_history, values);
+        componentwise.subtract(1, matrices.get_mass(), values, residual);
+      }
       if (step.old_velocity != nullptr)
-        {
-          cell->get_dof_values(*step.old_velocity, values);
-          old_matrices[cell->level()].vmult(product, values);
-          residual -= product;
-        }
+      {
+        cell->get_dof_values(*step.old_velocity, values);
+        old_matrices[cell->level()].vmult(product, values);
+        residual -= product;
+      }
       for (const auto &[old, weight] : step.old_convection)
-        {
-          cell->get_dof_values(*old, values);
-          compute_convection(cell, values);
-          componentwise.subtract(weight, convection, values, residual);
-        }
+      {
+        cell->get_dof_values(*old, values);
+        compute_convection(cell, values);
+        componentwise.subtract(weight, convection, values, residual);
+      }
       Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
       matrices.get_divergence().Tvmult_add(residual, pressures);
       if (body_force)
@@ -254,10 +251,8 @@ namespace caudal
      * residual -= the implicit terms of @p velocity. With implicit convection
      * its matrix is put into @p convection_matrix.
      */
-    void subtract_implicit_terms(const Cell         &cell,
-                                 const FieldVector  &velocity,
-                                 Vector<double>     &residual,
-                                 FullMatrix<double> &convection_matrix)
+    void subtract_implicit_terms(const Cell &cell, const FieldVector &velocity,
+                                 Vector<double> &residual, FullMatrix<double> &convection_matrix)
     {
       cell->get_dof_values(velocity, values);
       implicit_matrices[cell->level()].vmult(product, values);
@@ -271,22 +266,22 @@ namespace caudal
     }
 
   private:
-    const FluidSpace<dim>              &space;
-    const MomentumStep                 &step;
-    const FluidParameters<dim>         &parameters;
-    const double                        rate;
-    ComponentwiseProduct<dim>           componentwise;
-    Vector<double>                      values, product, transport, pressures;
-    FullMatrix<double>                  convection;
-    std::vector<FullMatrix<double>>     implicit_matrices, old_matrices;
-    FEValues<dim>                       force_values;
+    const FluidSpace<dim>               &space;
+    const MomentumStep                  &step;
+    const FluidParameters<dim>          &parameters;
+    const double                         rate;
+    ComponentwiseProduct<dim>            componentwise;
+    Vector<double>                       values, product, transport, pressures;
+    FullMatrix<double>                   convection;
+    std::vector<FullMatrix<double>>      implicit_matrices, old_matrices;
+    FEValues<dim>                        force_values;
     std::unique_ptr<FunctionParser<dim>> body_force;
 
     void compute_convection(const Cell &cell, const Vector<double> &velocity)
     {
       space.get_cell_matrices(cell->level())
-        .get_convection_matrix(velocity, parameters.density, parameters.convection_stabilisation,
-                               rate, convection);
+          .get_convection_matrix(velocity, parameters.density, parameters.convection_stabilisation,
+                                 rate, convection);
       if (cell->at_boundary())
         add_outflow_terms(space, cell, velocity, convection);
     }
@@ -295,22 +290,20 @@ namespace caudal
     {
       force_values.reinit(cell);
       for (const unsigned int q : force_values.quadrature_point_indices())
-        {
-          const Point<dim> &point = force_values.quadrature_point(q);
-          check_finite(body_force_path, parameters.body_force, *body_force, point);
-          for (unsigned int i = 0; i < residual.size(); ++i)
-            residual[i] +=
+      {
+        const Point<dim> &point = force_values.quadrature_point(q);
+        check_finite(body_force_path, parameters.body_force, *body_force, point);
+        for (unsigned int i = 0; i < residual.size(); ++i)
+          residual[i] +=
               body_force->value(point, space.velocity_element.system_to_component_index(i).first) *
               force_values.shape_value(i, q) * force_values.JxW(q);
-        }
+      }
     }
   };
 
   template <int dim>
-  bool MomentumOperator<dim>::assemble(const MomentumStep &step,
-                                       const FieldVector  &velocity,
-                                       const FieldVector  &pressure,
-                                       FieldVector        &residual)
+  bool MomentumOperator<dim>::assemble(const MomentumStep &step, const FieldVector &velocity,
+                                       const FieldVector &pressure, FieldVector &residual)
   {
     assemble_constant_matrix(step.weights);
     const bool matrix_changes = step.transport != nullptr || !matrix_is_constant;
@@ -326,15 +319,15 @@ namespace caudal
     std::vector<types::global_dof_index> dofs(n);
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          cell_residual = 0;
-          assembler.add_known_terms(cell, pressure, cell_residual);
-          assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
-          cell->get_dof_indices(dofs);
-          space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
-          if (step.transport != nullptr)
-            space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
-        }
+      {
+        cell_residual = 0;
+        assembler.add_known_terms(cell, pressure, cell_residual);
+        assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
+        cell->get_dof_indices(dofs);
+        space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
+        if (step.transport != nullptr)
+          space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
+      }
     matrix.compress(VectorOperation::add);
     residual.compress(VectorOperation::add);
     return matrix_changes;
@@ -348,12 +341,12 @@ namespace caudal
     Vector<double> moments(space.pressure_element.n_dofs_per_cell());
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          cell->get_dof_values(velocity, values);
-          space.get_cell_matrices(cell->level()).get_divergence().vmult(moments, values);
-          typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
+      {
+        cell->get_dof_values(velocity, values);
+        space.get_cell_matrices(cell->level()).get_divergence().vmult(moments, values);
+        typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
             ->set_dof_values(moments, result);
-        }
+      }
   }
 
   template <int dim>
@@ -363,11 +356,11 @@ namespace caudal
     Vector<double>     values(n), result(n);
     for (const auto &cell : space.pressure_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          cell->get_dof_values(vector, values);
-          space.get_cell_matrices(cell->level()).get_inverse_pressure_mass().vmult(result, values);
-          cell->set_dof_values(result, vector);
-        }
+      {
+        cell->get_dof_values(vector, values);
+        space.get_cell_matrices(cell->level()).get_inverse_pressure_mass().vmult(result, values);
+        cell->set_dof_values(result, vector);
+      }
   }
 
   template <int dim>
@@ -376,14 +369,14 @@ namespace caudal
     // Epetra's views of rows: the iterators of the wrapper copy each row.
     const Epetra_CrsMatrix &epetra_matrix = matrix.trilinos_matrix();
     for (int row = 0; row < epetra_matrix.NumMyRows(); ++row)
-      {
-        int     n_entries;
-        int    *columns;
-        double *values;
-        epetra_matrix.ExtractMyRowView(row, n_entries, values, columns);
-        for (int k = 0; k < n_entries; ++k)
-          entries.add(epetra_matrix.GRID(row), epetra_matrix.GCID(columns[k]), values[k]);
-      }
+    {
+      int     n_entries;
+      int    *columns;
+      double *values;
+      epetra_matrix.ExtractMyRowView(row, n_entries, values, columns);
+      for (int k = 0; k < n_entries; ++k)
+        entries.add(epetra_matrix.GRID(row), epetra_matrix.GCID(columns[k]), values[k]);
+    }
   }
 
   template class MomentumOperator<2>;

@@ -6,9 +6,9 @@ namespace caudal
 {
   template <int dim>
   CellLattice<dim>::CellLattice(const DomainParameters<dim> &parameters)
-    : lower_corner(parameters.lower_corner)
-    , coarse_cell_size(parameters.get_cell_size(0))
-    , finest_level(parameters.get_finest_level())
+      : lower_corner(parameters.lower_corner)
+      , coarse_cell_size(parameters.get_cell_size(0))
+      , finest_level(parameters.get_finest_level())
   {
     std::copy(parameters.cells.begin(), parameters.cells.end(), coarse_cells.begin());
   }
@@ -61,8 +61,8 @@ namespace caudal
 
   template <int dim>
   CellSet<dim>::CellSet(const CellLattice<dim> &lattice)
-    : lattice(lattice)
-    , keys(lattice.get_finest_level() + 1)
+      : lattice(lattice)
+      , keys(lattice.get_finest_level() + 1)
   {}
 
   template <int dim>
@@ -71,52 +71,50 @@ namespace caudal
     const unsigned int   finest = lattice.get_finest_level();
     const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
     for (const BoundingBox<dim> &box : boxes)
+    {
+      const auto first = lattice.get_coordinates(box.get_boundary_points().first - slack, finest);
+      const auto last  = lattice.get_coordinates(box.get_boundary_points().second + slack, finest);
+      auto       cell  = first;
+      for (bool done = false; !done;)
       {
-        const auto first =
-          lattice.get_coordinates(box.get_boundary_points().first - slack, finest);
-        const auto last =
-          lattice.get_coordinates(box.get_boundary_points().second + slack, finest);
-        auto cell = first;
-        for (bool done = false; !done;)
+        if (lattice.is_inside(cell, finest))
+        {
+          auto ancestor = cell;
+          for (int level = finest; level >= 0; --level)
           {
-            if (lattice.is_inside(cell, finest))
-              {
-                auto ancestor = cell;
-                for (int level = finest; level >= 0; --level)
-                  {
-                    // Once an ancestor is known, so are all above it.
-                    if (!keys[level].insert(CellLattice<dim>::get_key(ancestor)).second)
-                      break;
-                    for (int &coordinate : ancestor)
-                      coordinate >>= 1;
-                  }
-              }
-            else
-              inside_domain = false;
-
-            done = true;
-            for (unsigned int d = 0; d < dim && done; ++d)
-              if (cell[d] < last[d])
-                {
-                  ++cell[d];
-                  done = false;
-                }
-              else
-                cell[d] = first[d];
+            // Once an ancestor is known, so are all above it.
+            if (!keys[level].insert(CellLattice<dim>::get_key(ancestor)).second)
+              break;
+            for (int &coordinate : ancestor)
+              coordinate >>= 1;
           }
+        }
+        else
+          inside_domain = false;
+
+        done = true;
+        for (unsigned int d = 0; d < dim && done; ++d)
+          if (cell[d] < last[d])
+          {
+            ++cell[d];
+            done = false;
+          }
+          else
+            cell[d] = first[d];
       }
+    }
   }
 
   template <int dim>
   bool CellSet<dim>::contains(const Point<dim> &cell_center, const unsigned int level) const
   {
     return keys[level].count(
-             CellLattice<dim>::get_key(lattice.get_coordinates(cell_center, level))) > 0;
+               CellLattice<dim>::get_key(lattice.get_coordinates(cell_center, level))) > 0;
   }
 
   template <int dim>
-  bool CellSet<dim>::is_covered_by(
-    const parallel::distributed::Triangulation<dim> &triangulation) const
+  bool
+  CellSet<dim>::is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const
   {
     const unsigned int finest  = lattice.get_finest_level();
     std::size_t        n_found = 0;
@@ -130,23 +128,23 @@ namespace caudal
   template <int dim>
   FinestCells<dim>::FinestCells(const CellLattice<dim>   &lattice,
                                 const Triangulation<dim> &triangulation)
-    : lattice(lattice)
+      : lattice(lattice)
   {
     const unsigned int finest = lattice.get_finest_level();
     if (triangulation.n_levels() > finest)
       for (const auto &cell : triangulation.active_cell_iterators_on_level(finest))
         if (cell->is_locally_owned())
-          cells.emplace(
-            CellLattice<dim>::get_key(lattice.get_coordinates(cell->center(), finest)), cell);
+          cells.emplace(CellLattice<dim>::get_key(lattice.get_coordinates(cell->center(), finest)),
+                        cell);
   }
 
   template <int dim>
   const typename FinestCells<dim>::Cell *
   FinestCells<dim>::find(const typename CellLattice<dim>::Coordinates &coordinates) const
   {
-    const auto entry = lattice.is_inside(coordinates, lattice.get_finest_level()) ?
-                         cells.find(CellLattice<dim>::get_key(coordinates)) :
-                         cells.end();
+    const auto entry = lattice.is_inside(coordinates, lattice.get_finest_level())
+                           ? cells.find(CellLattice<dim>::get_key(coordinates))
+                           : cells.end();
     return entry == cells.end() ? nullptr : &entry->second;
   }
 

@@ -21,7 +21,8 @@ namespace caudal
     prm.add_parameter("Size", size, "Lengths of the box [m].");
     prm.add_parameter("Cells", cells, "Numbers of coarse cells in each direction [1].",
                       Patterns::List(Patterns::Integer(1), dim, dim));
-    prm.add_parameter("Levels", levels, "Number of refinement levels, the coarse grid included [1].");
+    prm.add_parameter("Levels", levels,
+                      "Number of refinement levels, the coarse grid included [1].");
     prm.leave_subsection();
   }
 
@@ -29,11 +30,11 @@ namespace caudal
   void DomainParameters<dim>::check() const
   {
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        AssertThrow(std::isfinite(size[d]) && size[d] > 0,
-                    ExcMessage("Domain/Size: the length in direction " + std::to_string(d) + " is " +
-                               std::to_string(size[d]) + " m. Give positive lengths."));
-      }
+    {
+      AssertThrow(std::isfinite(size[d]) && size[d] > 0,
+                  ExcMessage("Domain/Size: the length in direction " + std::to_string(d) + " is " +
+                             std::to_string(size[d]) + " m. Give positive lengths."));
+    }
     AssertThrow(levels >= 1 && levels <= 12,
                 ExcMessage("Domain/Levels: " + std::to_string(levels) + ". Give 1 to 12."));
     const Tensor<1, dim> edges = get_cell_size(0);
@@ -64,8 +65,7 @@ namespace caudal
   void make_domain(parallel::distributed::Triangulation<dim> &triangulation,
                    const DomainParameters<dim>               &parameters)
   {
-    GridGenerator::subdivided_hyper_rectangle(triangulation,
-                                              parameters.cells,
+    GridGenerator::subdivided_hyper_rectangle(triangulation, parameters.cells,
                                               parameters.lower_corner,
                                               parameters.lower_corner + parameters.size,
                                               /*colorize=*/true);

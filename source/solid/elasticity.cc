@@ -6,7 +6,8 @@ namespace caudal
 {
   namespace
   {
-    /** The deformation gradient at quadrature point @p point of a cell with nodal positions @p x. */
+    /** The deformation gradient at quadrature point @p point of a cell with nodal positions @p x.
+     */
     template <int dim>
     Tensor<2, dim> compute_deformation_gradient(const std::vector<Point<dim>>     &x,
                                                 const std::vector<Tensor<1, dim>> &gradients)
@@ -20,14 +21,14 @@ namespace caudal
     template <int dim>
     std::vector<Point<dim>> get_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                       const std::vector<types::global_dof_index>           &dofs,
-                                      const Vector<double>                                 &positions)
+                                      const Vector<double> &positions)
     {
       std::vector<Point<dim>> nodes(dofs.size() / dim);
       for (unsigned int i = 0; i < dofs.size(); ++i)
-        {
-          const auto [component, a] = cell->get_fe().system_to_component_index(i);
-          nodes[a][component]       = positions[dofs[i]];
-        }
+      {
+        const auto [component, a] = cell->get_fe().system_to_component_index(i);
+        nodes[a][component]       = positions[dofs[i]];
+      }
       return nodes;
     }
   } // namespace
@@ -41,11 +42,9 @@ namespace caudal
   }
 
   template <int dim>
-  void assemble_elastic_system(const SolidBody<dim>  &body,
-                               const Vector<double>  &positions,
-                               const ActiveLoad<dim> &load,
-                               const bool             with_matrices,
-                               ElasticSystem         &system)
+  void assemble_elastic_system(const SolidBody<dim> &body, const Vector<double> &positions,
+                               const ActiveLoad<dim> &load, const bool with_matrices,
+                               ElasticSystem &system)
   {
     const auto                          &data    = body.get_quadrature_data();
     const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
@@ -60,80 +59,81 @@ namespace caudal
     system.elastic_force = 0;
     system.active_force  = 0;
     if (with_matrices)
-      {
-        system.stiffness          = 0;
-        system.volumetric_damping = 0;
-      }
+    {
+      system.stiffness          = 0;
+      system.volumetric_damping = 0;
+    }
     for (const auto &cell : body.get_dof_handler().active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      const auto  nodes    = get_nodes<dim>(cell, dofs, positions);
+      const auto &material = body.get_stress_model(cell->material_id());
+      elastic              = 0;
+      active               = 0;
+      stiffness            = 0;
+      volume_gradient      = 0;
+      double volume        = 0;
+      for (unsigned int q = 0; q < data.n_q; ++q)
       {
-        cell->get_dof_indices(dofs);
-        const auto  nodes    = get_nodes<dim>(cell, dofs, positions);
-        const auto &material = body.get_stress_model(cell->material_id());
-        elastic              = 0;
-        active               = 0;
-        stiffness            = 0;
-        volume_gradient      = 0;
-        double volume        = 0;
-        for (unsigned int q = 0; q < data.n_q; ++q)
-          {
-            const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
-            const auto          &gradients = data.shape_gradients[point];
-            const double         weight    = data.weights[point];
-            const Tensor<2, dim> F         = compute_deformation_gradient(nodes, gradients);
-            AssertThrow(determinant(F) > 0, ExcInvertedElement(determinant(F)));
+        const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
+        const auto          &gradients = data.shape_gradients[point];
+        const double         weight    = data.weights[point];
+        const Tensor<2, dim> F         = compute_deformation_gradient(nodes, gradients);
+        AssertThrow(determinant(F) > 0, ExcInvertedElement(determinant(F)));
 
-            const Tensor<2, dim> P = material.first_piola_kirchhoff_stress(F);
-            Tensor<2, dim>       active_stress;
-            Tensor<1, dim>       force;
-            if (load.stress)
-              active_stress = load.stress(data.points[point], cell->material_id());
-            if (load.force_density)
-              force = load.force_density(data.points[point], cell->material_id());
-            const Tensor<2, dim> active_P = F * active_stress;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                elastic[i] -= weight * (P[component[i]] * gradients[node[i]]);
-                active[i] += weight * (force[component[i]] * data.shape_values[q][node[i]] -
-                                       active_P[component[i]] * gradients[node[i]]);
-              }
-            if (!with_matrices)
-              continue;
+        const Tensor<2, dim> P = material.first_piola_kirchhoff_stress(F);
+        Tensor<2, dim>       active_stress;
+        Tensor<1, dim>       force;
+        if (load.stress)
+          active_stress = load.stress(data.points[point], cell->material_id());
+        if (load.force_density)
+          force = load.force_density(data.points[point], cell->material_id());
+        const Tensor<2, dim> active_P = F * active_stress;
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          elastic[i] -= weight * (P[component[i]] * gradients[node[i]]);
+          active[i] += weight * (force[component[i]] * data.shape_values[q][node[i]] -
+                                 active_P[component[i]] * gradients[node[i]]);
+        }
+        if (!with_matrices)
+          continue;
 
-            const double         J        = determinant(F);
-            const Tensor<2, dim> cofactor = J * transpose(invert(F));
-            volume += weight * J;
-            for (unsigned int i = 0; i < n; ++i)
-              volume_gradient[i] += weight * (cofactor[component[i]] * gradients[node[i]]);
-            const Tensor<4, dim> tangent = material.tangent(F);
-            for (unsigned int j = 0; j < n; ++j)
-              {
-                // dP for a displacement of node j: column k of the tangent times grad N_j.
-                Tensor<2, dim> dP;
-                for (unsigned int i = 0; i < dim; ++i)
-                  for (unsigned int J = 0; J < dim; ++J)
-                    dP[i][J] = tangent[i][J][component[j]] * gradients[node[j]];
-                dP[component[j]] += gradients[node[j]] * active_stress;
-                for (unsigned int i = 0; i < n; ++i)
-                  stiffness(i, j) += weight * (dP[component[i]] * gradients[node[i]]);
-              }
-          }
-        system.elastic_force.add(dofs, elastic);
-        system.active_force.add(dofs, active);
-        if (with_matrices)
-          {
-            system.stiffness.add(dofs, stiffness);
-            const double damping =
-              body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                stiffness(i, j) = damping / volume * volume_gradient[i] * volume_gradient[j];
-            system.volumetric_damping.add(dofs, stiffness);
-          }
+        const double         J        = determinant(F);
+        const Tensor<2, dim> cofactor = J * transpose(invert(F));
+        volume += weight * J;
+        for (unsigned int i = 0; i < n; ++i)
+          volume_gradient[i] += weight * (cofactor[component[i]] * gradients[node[i]]);
+        const Tensor<4, dim> tangent = material.tangent(F);
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          // dP for a displacement of node j: column k of the tangent times grad N_j.
+          Tensor<2, dim> dP;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int J = 0; J < dim; ++J)
+              dP[i][J] = tangent[i][J][component[j]] * gradients[node[j]];
+          dP[component[j]] += gradients[node[j]] * active_stress;
+          for (unsigned int i = 0; i < n; ++i)
+            stiffness(i, j) += weight * (dP[component[i]] * gradients[node[i]]);
+        }
       }
+      system.elastic_force.add(dofs, elastic);
+      system.active_force.add(dofs, active);
+      if (with_matrices)
+      {
+        system.stiffness.add(dofs, stiffness);
+        const double damping =
+            body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            stiffness(i, j) = damping / volume * volume_gradient[i] * volume_gradient[j];
+        system.volumetric_damping.add(dofs, stiffness);
+      }
+    }
   }
 
   template <int dim>
-  DeformationSummary summarise_deformation(const SolidBody<dim> &body, const Vector<double> &positions)
+  DeformationSummary summarise_deformation(const SolidBody<dim> &body,
+                                           const Vector<double> &positions)
   {
     const auto                          &data = body.get_quadrature_data();
     std::vector<types::global_dof_index> dofs(body.get_dof_handler().get_fe().n_dofs_per_cell());
@@ -141,29 +141,29 @@ namespace caudal
                                std::numeric_limits<double>::lowest(), 0, 0};
     double                               volume = 0;
     for (const auto &cell : body.get_dof_handler().active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      const auto nodes = get_nodes<dim>(cell, dofs, positions);
+      for (unsigned int q = 0; q < data.n_q; ++q)
       {
-        cell->get_dof_indices(dofs);
-        const auto nodes = get_nodes<dim>(cell, dofs, positions);
-        for (unsigned int q = 0; q < data.n_q; ++q)
-          {
-            const unsigned int   point = cell->active_cell_index() * data.n_q + q;
-            const Tensor<2, dim> F =
-              compute_deformation_gradient(nodes, data.shape_gradients[point]);
-            const double J            = determinant(F);
-            summary.smallest_jacobian = std::min(summary.smallest_jacobian, J);
-            summary.largest_jacobian  = std::max(summary.largest_jacobian, J);
-            volume += data.weights[point] * J;
-            AssertThrow(J > 0, ExcInvertedElement(J));
-            summary.elastic_energy +=
-              data.weights[point] * body.get_stress_model(cell->material_id()).strain_energy(F);
-          }
+        const unsigned int   point = cell->active_cell_index() * data.n_q + q;
+        const Tensor<2, dim> F = compute_deformation_gradient(nodes, data.shape_gradients[point]);
+        const double         J = determinant(F);
+        summary.smallest_jacobian = std::min(summary.smallest_jacobian, J);
+        summary.largest_jacobian  = std::max(summary.largest_jacobian, J);
+        volume += data.weights[point] * J;
+        AssertThrow(J > 0, ExcInvertedElement(J));
+        summary.elastic_energy +=
+            data.weights[point] * body.get_stress_model(cell->material_id()).strain_energy(F);
       }
+    }
     summary.volume_change = volume / body.get_reference_volume() - 1;
     return summary;
   }
 
   template <int dim>
-  CellDeformation compute_cell_deformation(const SolidBody<dim> &body, const Vector<double> &positions)
+  CellDeformation compute_cell_deformation(const SolidBody<dim> &body,
+                                           const Vector<double> &positions)
   {
     const auto                          &data    = body.get_quadrature_data();
     const unsigned int                   n_cells = body.get_triangulation().n_active_cells();
@@ -173,39 +173,40 @@ namespace caudal
     result.region.reinit(n_cells);
     const std::string axes = "xyz";
     for (const auto &cell : body.get_dof_handler().active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      const auto     nodes = get_nodes<dim>(cell, dofs, positions);
+      double         J     = 0;
+      Tensor<2, dim> stress;
+      for (unsigned int q = 0; q < data.n_q; ++q)
       {
-        cell->get_dof_indices(dofs);
-        const auto     nodes = get_nodes<dim>(cell, dofs, positions);
-        double         J     = 0;
-        Tensor<2, dim> stress;
-        for (unsigned int q = 0; q < data.n_q; ++q)
-          {
-            const Tensor<2, dim> F = compute_deformation_gradient(
-              nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]);
-            J += determinant(F) / data.n_q;
-            stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
-                      transpose(F) / determinant(F) / data.n_q;
-          }
-        result.jacobian[cell->active_cell_index()] = J;
-        result.region[cell->active_cell_index()]   = cell->material_id();
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = i; j < dim; ++j)
-            {
-              Vector<float> &component =
-                result.cauchy_stress[std::string("stress_") + axes[i] + axes[j]];
-              if (component.size() == 0)
-                component.reinit(n_cells);
-              component[cell->active_cell_index()] = stress[i][j];
-            }
+        const Tensor<2, dim> F = compute_deformation_gradient(
+            nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]);
+        J += determinant(F) / data.n_q;
+        stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
+                  transpose(F) / determinant(F) / data.n_q;
       }
+      result.jacobian[cell->active_cell_index()] = J;
+      result.region[cell->active_cell_index()]   = cell->material_id();
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+        {
+          Vector<float> &component =
+              result.cauchy_stress[std::string("stress_") + axes[i] + axes[j]];
+          if (component.size() == 0)
+            component.reinit(n_cells);
+          component[cell->active_cell_index()] = stress[i][j];
+        }
+    }
     return result;
   }
 
-#define INSTANTIATE(dim)                                                                         \
-  template void assemble_elastic_system(const SolidBody<dim> &, const Vector<double> &,          \
-                                        const ActiveLoad<dim> &, bool, ElasticSystem &);         \
-  template DeformationSummary summarise_deformation(const SolidBody<dim> &, const Vector<double> &); \
-  template CellDeformation    compute_cell_deformation(const SolidBody<dim> &, const Vector<double> &);
+#define INSTANTIATE(dim)                                                                           \
+  template void assemble_elastic_system(const SolidBody<dim> &, const Vector<double> &,            \
+                                        const ActiveLoad<dim> &, bool, ElasticSystem &);           \
+  template DeformationSummary summarise_deformation(const SolidBody<dim> &,                        \
+                                                    const Vector<double> &);                       \
+  template CellDeformation compute_cell_deformation(const SolidBody<dim> &, const Vector<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

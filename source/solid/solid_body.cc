@@ -15,12 +15,13 @@ namespace caudal
 {
   template <int dim>
   SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const double fluid_density)
-    : parameters(parameters)
-    , element(FE_Q<dim>(parameters.polynomial_degree), dim)
-    , dof_handler(triangulation)
-    , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid_density)
+      : parameters(parameters)
+      , element(FE_Q<dim>(parameters.polynomial_degree), dim)
+      , dof_handler(triangulation)
+      , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid_density)
   {
-    make_body_grid(triangulation, parameters.grid, parameters.regions.size(), parameters.get_path());
+    make_body_grid(triangulation, parameters.grid, parameters.regions.size(),
+                   parameters.get_path());
     for (const auto &region : parameters.region_parameters)
       stress_models.push_back(create_stress_model<dim>(region->material));
 
@@ -43,18 +44,18 @@ namespace caudal
     std::map<unsigned int, Node>         all, head;
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      for (unsigned int a = 0; a < dofs.size() / dim; ++a)
       {
-        cell->get_dof_indices(dofs);
-        for (unsigned int a = 0; a < dofs.size() / dim; ++a)
-          {
-            Node node;
-            for (unsigned int d = 0; d < dim; ++d)
-              node[d] = dofs[element.component_to_system_index(d, a)];
-            all[node[0]] = node;
-            if (cell->material_id() == 0)
-              head[node[0]] = node;
-          }
+        Node node;
+        for (unsigned int d = 0; d < dim; ++d)
+          node[d] = dofs[element.component_to_system_index(d, a)];
+        all[node[0]] = node;
+        if (cell->material_id() == 0)
+          head[node[0]] = node;
       }
+    }
     for (const auto &entry : all)
       nodes.push_back(entry.second);
     for (const auto &entry : head)
@@ -62,11 +63,11 @@ namespace caudal
 
     initial_positions.reinit(n_dofs());
     for (const Node &node : nodes)
-      {
-        const Point<dim> place = place_in_domain(parameters.grid, reference_points[node[0]]);
-        for (unsigned int d = 0; d < dim; ++d)
-          initial_positions[node[d]] = place[d];
-      }
+    {
+      const Point<dim> place = place_in_domain(parameters.grid, reference_points[node[0]]);
+      for (unsigned int d = 0; d < dim; ++d)
+        initial_positions[node[d]] = place[d];
+    }
     positions     = initial_positions;
     old_positions = initial_positions;
     for (Vector<double> *vector : {&velocity, &old_velocity, &force_density})
@@ -79,27 +80,28 @@ namespace caudal
     const QGauss<dim>  quadrature(element.degree + 1);
     const unsigned int n_scalar = element.n_dofs_per_cell() / dim;
     FEValues<dim>      values(element.base_element(0), quadrature,
-                              update_values | update_gradients | update_quadrature_points | update_JxW_values);
+                              update_values | update_gradients | update_quadrature_points |
+                                  update_JxW_values);
     QuadratureData    &data = quadrature_data;
     data.n_q                = quadrature.size();
     data.shape_values.assign(data.n_q, std::vector<double>(n_scalar));
     for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      values.reinit(cell);
+      for (unsigned int q = 0; q < data.n_q; ++q)
       {
-        values.reinit(cell);
-        for (unsigned int q = 0; q < data.n_q; ++q)
-          {
-            std::vector<Tensor<1, dim>> gradients(n_scalar);
-            for (unsigned int a = 0; a < n_scalar; ++a)
-              {
-                data.shape_values[q][a] = values.shape_value(a, q);
-                gradients[a]            = values.shape_grad(a, q);
-              }
-            data.shape_gradients.push_back(gradients);
-            data.points.push_back(values.quadrature_point(q));
-            data.weights.push_back(values.JxW(q));
-            reference_volume += values.JxW(q);
-          }
+        std::vector<Tensor<1, dim>> gradients(n_scalar);
+        for (unsigned int a = 0; a < n_scalar; ++a)
+        {
+          data.shape_values[q][a] = values.shape_value(a, q);
+          gradients[a]            = values.shape_grad(a, q);
+        }
+        data.shape_gradients.push_back(gradients);
+        data.points.push_back(values.quadrature_point(q));
+        data.weights.push_back(values.JxW(q));
+        reference_volume += values.JxW(q);
       }
+    }
   }
 
   template <int dim>
@@ -115,31 +117,31 @@ namespace caudal
     const unsigned int                   n = element.n_dofs_per_cell();
     std::vector<types::global_dof_index> dofs(n);
     for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      const RegionParameters &region = *parameters.region_parameters[cell->material_id()];
+      for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
       {
-        cell->get_dof_indices(dofs);
-        const RegionParameters &region = *parameters.region_parameters[cell->material_id()];
-        for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
+        const double weight =
+            quadrature_data.weights[cell->active_cell_index() * quadrature_data.n_q + q];
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
           {
-            const double weight =
-              quadrature_data.weights[cell->active_cell_index() * quadrature_data.n_q + q];
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                {
-                  const auto [component_i, a] = element.system_to_component_index(i);
-                  const auto [component_j, b] = element.system_to_component_index(j);
-                  if (component_i != component_j)
-                    continue;
-                  const double product = weight * quadrature_data.shape_values[q][a] *
-                                         quadrature_data.shape_values[q][b];
-                  mass.add(dofs[i], dofs[j], product);
-                  if (region.feedback_directions.find("xyz"[component_i]) != std::string::npos)
-                    {
-                      feedback_stiffness.add(dofs[i], dofs[j], region.feedback_stiffness * product);
-                      feedback_damping.add(dofs[i], dofs[j], region.feedback_damping * product);
-                    }
-                }
+            const auto [component_i, a] = element.system_to_component_index(i);
+            const auto [component_j, b] = element.system_to_component_index(j);
+            if (component_i != component_j)
+              continue;
+            const double product =
+                weight * quadrature_data.shape_values[q][a] * quadrature_data.shape_values[q][b];
+            mass.add(dofs[i], dofs[j], product);
+            if (region.feedback_directions.find("xyz"[component_i]) != std::string::npos)
+            {
+              feedback_stiffness.add(dofs[i], dofs[j], region.feedback_stiffness * product);
+              feedback_damping.add(dofs[i], dofs[j], region.feedback_damping * product);
+            }
           }
       }
+    }
     inverse_mass.initialize(mass);
     Vector<double> ones(n_dofs());
     ones = 1;
@@ -157,18 +159,19 @@ namespace caudal
     for (const auto &candidate : dof_handler.active_cell_iterators())
       if (candidate->bounding_box().point_inside(point, 1e-3))
         try
+        {
+          const Point<dim> p = mapping.transform_real_to_unit_cell(candidate, point);
+          if (GeometryInfo<dim>::is_inside_unit_cell(p, 0.05) &&
+              (cell == dof_handler.end() ||
+               GeometryInfo<dim>::distance_to_unit_cell(p) <
+                   GeometryInfo<dim>::distance_to_unit_cell(unit_point)))
           {
-            const Point<dim> p = mapping.transform_real_to_unit_cell(candidate, point);
-            if (GeometryInfo<dim>::is_inside_unit_cell(p, 0.05) &&
-                (cell == dof_handler.end() || GeometryInfo<dim>::distance_to_unit_cell(p) <
-                                                GeometryInfo<dim>::distance_to_unit_cell(unit_point)))
-              {
-                cell       = candidate;
-                unit_point = p;
-              }
+            cell       = candidate;
+            unit_point = p;
           }
+        }
         catch (const typename Mapping<dim>::ExcTransformationFailed &)
-          {} // a point far outside of this cell
+        {} // a point far outside of this cell
     std::ostringstream text;
     text << point;
     AssertThrow(cell != dof_handler.end(),
@@ -204,37 +207,38 @@ namespace caudal
 
   template <int dim>
   Vector<double> SolidBody<dim>::compute_moments(
-    const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const
+      const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const
   {
     Vector<double>                       moments(n_dofs());
     const unsigned int                   n = element.n_dofs_per_cell();
     std::vector<types::global_dof_index> dofs(n);
     for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
       {
-        cell->get_dof_indices(dofs);
-        for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
-          {
-            const unsigned int   point = cell->active_cell_index() * quadrature_data.n_q + q;
-            const Tensor<1, dim> value = function(quadrature_data.points[point]);
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const auto [component, a] = element.system_to_component_index(i);
-                moments[dofs[i]] += quadrature_data.weights[point] *
-                                    quadrature_data.shape_values[q][a] * value[component];
-              }
-          }
+        const unsigned int   point = cell->active_cell_index() * quadrature_data.n_q + q;
+        const Tensor<1, dim> value = function(quadrature_data.points[point]);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto [component, a] = element.system_to_component_index(i);
+          moments[dofs[i]] += quadrature_data.weights[point] * quadrature_data.shape_values[q][a] *
+                              value[component];
+        }
       }
+    }
     return moments;
   }
 
   template <int dim>
-  Tensor<1, dim> SolidBody<dim>::evaluate(const Vector<double> &field, const unsigned int index) const
+  Tensor<1, dim> SolidBody<dim>::evaluate(const Vector<double> &field,
+                                          const unsigned int    index) const
   {
     AssertIndexRange(index, points.size());
     Tensor<1, dim> result;
     for (unsigned int i = 0; i < points[index].dofs.size(); ++i)
       result[element.system_to_component_index(i).first] +=
-        points[index].shape_values[i] * field[points[index].dofs[i]];
+          points[index].shape_values[i] * field[points[index].dofs[i]];
     return result;
   }
 
@@ -269,16 +273,16 @@ namespace caudal
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     std::vector<BoundingBox<dim>>        boxes;
     for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      std::vector<Point<dim>> nodes(n_nodes);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
       {
-        cell->get_dof_indices(dofs);
-        std::vector<Point<dim>> nodes(n_nodes);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const auto [component, a] = element.system_to_component_index(i);
-            nodes[a][component]       = x[dofs[i]];
-          }
-        boxes.emplace_back(nodes);
+        const auto [component, a] = element.system_to_component_index(i);
+        nodes[a][component]       = x[dofs[i]];
       }
+      boxes.emplace_back(nodes);
+    }
     return boxes;
   }
 

@@ -7,10 +7,11 @@ namespace caudal
   void RegionParameters::add_parameters(ParameterHandler &prm)
   {
     material.add_parameters(prm);
-    prm.add_parameter("Volumetric damping", volumetric_damping,
-                      "Viscosity eta_v of the pressure eta_v dV/dt / V that resists a change of the "
-                      "volume V of a cell of the body; it acts on errors only, since fluid and body "
-                      "are incompressible. Semi-implicit scheme only [Pa s].");
+    prm.add_parameter(
+        "Volumetric damping", volumetric_damping,
+        "Viscosity eta_v of the pressure eta_v dV/dt / V that resists a change of the "
+        "volume V of a cell of the body; it acts on errors only, since fluid and body "
+        "are incompressible. Semi-implicit scheme only [Pa s].");
     prm.add_parameter("Feedback stiffness", feedback_stiffness,
                       "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
                       "region at its initial place [N/m^4].");
@@ -38,8 +39,8 @@ namespace caudal
   template <int dim>
   SolidParameters<dim>::SolidParameters(const std::string              &name,
                                         const std::vector<std::string> &regions)
-    : name(name)
-    , regions(regions)
+      : name(name)
+      , regions(regions)
   {
     for (unsigned int r = 0; r < regions.size(); ++r)
       region_parameters.push_back(std::make_unique<RegionParameters>());
@@ -50,8 +51,7 @@ namespace caudal
   {
     prm.add_parameter("Polynomial degree", polynomial_degree,
                       "Degree of the body's finite elements [1].", Patterns::Integer(1, 2));
-    prm.add_parameter("Density", density,
-                      "Density of the body [kg/m^3]; 0: that of the fluid.");
+    prm.add_parameter("Density", density, "Density of the body [kg/m^3]; 0: that of the fluid.");
     prm.add_parameter("Motion", motion,
                       "free: the body moves with the fluid; fixed: its points stay where they are, "
                       "which suits rigid obstacles held by a feedback damping.",
@@ -61,11 +61,11 @@ namespace caudal
                       "part of the statistics; coordinates separated by ',', points by ';' [m].");
     grid.add_parameters(prm);
     for (unsigned int r = 0; r < regions.size(); ++r)
-      {
-        prm.enter_subsection("Region " + regions[r]);
-        region_parameters[r]->add_parameters(prm);
-        prm.leave_subsection();
-      }
+    {
+      prm.enter_subsection("Region " + regions[r]);
+      region_parameters[r]->add_parameters(prm);
+      prm.leave_subsection();
+    }
   }
 
   template <int dim>

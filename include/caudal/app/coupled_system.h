@@ -43,7 +43,10 @@ namespace caudal
     // Right hand sides, replaced by the corrections.
     Vector<double> velocity, force_density, frame_velocity;
 
-    unsigned int n_unknowns() const { return 2 * mass->m() + rigid_moments.size(); }
+    unsigned int n_unknowns() const
+    {
+      return 2 * mass->m() + rigid_moments.size();
+    }
   };
 
   /**
@@ -60,10 +63,8 @@ namespace caudal
   class CoupledSystem
   {
   public:
-    CoupledSystem(const SolverParameters      &parameters,
-                  const FluidSpace<dim>       &space,
-                  const MomentumOperator<dim> &momentum,
-                  TimerOutput                 &timer);
+    CoupledSystem(const SolverParameters &parameters, const FluidSpace<dim> &space,
+                  const MomentumOperator<dim> &momentum, TimerOutput &timer);
 
     struct Body
     {
@@ -78,20 +79,23 @@ namespace caudal
      * Solves for the corrections. @p momentum_residual (r_u) becomes du,
      * @p divergence (r_p) becomes dq, the right hand sides of the @p bodies
      * their corrections. @p scale: the norm of the forces to which the
-     * residual is compared, at least that of the right hand side. @p matrix_changed: whether the system is another
-     * one than in the last call. Returns the number of iterations; throws
+     * residual is compared, at least that of the right hand side. @p matrix_changed: whether the
+     * system is another one than in the last call. Returns the number of iterations; throws
      * SolverControl::NoConvergence.
      */
-    unsigned int solve(FieldVector             &momentum_residual,
-                       FieldVector             &divergence,
-                       const std::vector<Body> &bodies,
-                       const MomentumWeights   &weights,
-                       double                   scale,
-                       bool                     matrix_changed);
+    unsigned int solve(FieldVector &momentum_residual, FieldVector &divergence,
+                       const std::vector<Body> &bodies, const MomentumWeights &weights,
+                       double scale, bool matrix_changed);
 
     /** Number of entries of the factors. */
-    double       get_factor_entries() const { return direct_solver.get_factor_entries(); }
-    unsigned int get_n_factorisations() const { return n_factorisations; }
+    double get_factor_entries() const
+    {
+      return direct_solver.get_factor_entries();
+    }
+    unsigned int get_n_factorisations() const
+    {
+      return n_factorisations;
+    }
 
   private:
     const SolverParameters      &parameters;
@@ -110,12 +114,9 @@ namespace caudal
     void factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
 
     /** FGMRES; more than @p n_affordable iterations are returned if these did not do. */
-    unsigned int iterate(BlockFieldVector        &solution,
-                         const BlockFieldVector  &rhs,
-                         const std::vector<Body> &bodies,
-                         const MomentumWeights   &weights,
-                         double                   reference,
-                         unsigned int             n_affordable);
+    unsigned int iterate(BlockFieldVector &solution, const BlockFieldVector &rhs,
+                         const std::vector<Body> &bodies, const MomentumWeights &weights,
+                         double reference, unsigned int n_affordable);
 
     /** The bodies' right hand sides as one vector, which rank 0 owns. */
     FieldVector collect_right_hand_sides(const std::vector<Body> &bodies, double scale) const;

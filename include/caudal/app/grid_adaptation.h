@@ -25,10 +25,8 @@ namespace caudal
   class GridAdaptation
   {
   public:
-    GridAdaptation(parallel::distributed::Triangulation<dim> &triangulation,
-                   FluidSpace<dim>                           &space,
-                   const RefinementParameters                &parameters,
-                   const ImmersedSystem<dim>                 &system);
+    GridAdaptation(parallel::distributed::Triangulation<dim> &triangulation, FluidSpace<dim> &space,
+                   const RefinementParameters &parameters, const ImmersedSystem<dim> &system);
 
     /** Refines the coarse grid where bodies and initial velocity need it. */
     void make_initial_grid();

@@ -52,9 +52,7 @@ namespace caudal
     void       start_bodies();
     void       adapt_grid(const TimeStepper &stepper, Log &log);
     StepResult advance(TimeStepper &stepper, Log &log);
-    void       run_to_end(TimeStepper                 &stepper,
-                          RunOutput<dim>              &output,
-                          Log                         &log,
+    void       run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
                           const std::function<bool()> &stop_requested);
   };
 } // namespace caudal

@@ -13,17 +13,17 @@ namespace caudal
   template <int dim>
   struct RunParameters
   {
-    std::string model     = "immersed";
+    std::string  model     = "immersed";
     unsigned int dimension = dim;
     std::string  bodies_text;
 
-    TimeParameters        time;
-    DomainParameters<dim> domain;
-    FluidParameters<dim>  fluid;
-    CouplingParameters    coupling;
-    RefinementParameters  refinement;
-    SolverParameters      solver;
-    OutputParameters      output;
+    TimeParameters                                            time;
+    DomainParameters<dim>                                     domain;
+    FluidParameters<dim>                                      fluid;
+    CouplingParameters                                        coupling;
+    RefinementParameters                                      refinement;
+    SolverParameters                                          solver;
+    OutputParameters                                          output;
     std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
 
     /**

@@ -33,10 +33,8 @@ namespace caudal
   class RunOutput
   {
   public:
-    RunOutput(const RunParameters<dim>  &parameters,
-              const ImmersedSystem<dim> &system,
-              const OutputFolder        &folder,
-              Log                       &log);
+    RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
+              const OutputFolder &folder, Log &log);
 
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
     void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
@@ -46,7 +44,10 @@ namespace caudal
 
     void finish();
 
-    double get_largest_velocity() const { return flow.largest_velocity; }
+    double get_largest_velocity() const
+    {
+      return flow.largest_velocity;
+    }
 
   private:
     const RunParameters<dim>                &parameters;
@@ -57,11 +58,13 @@ namespace caudal
     std::vector<Tensor<1, dim>>              initial_centers;
     EnergyLedger                             ledger;
     FlowSummary<dim>                         flow;
-    unsigned int                             n_field_outputs = 0;
-    double                                   last_field_time = -1;
+    double                                   last_dissipation = 0; // [W/m]
+    unsigned int                             n_field_outputs  = 0;
+    double                                   last_field_time  = -1;
 
     void update_ledger(double step);
-    void write_statistics(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
+    void write_statistics(const TimeStepper &stepper, const StepResult &result,
+                          unsigned int n_cells);
     void set_body_statistics(const SwimmingBody<dim> &body);
     void write_fluid(double time);
     void write_body(const SwimmingBody<dim> &body, double time);

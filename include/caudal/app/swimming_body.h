@@ -34,13 +34,17 @@ namespace caudal
   class SwimmingBody
   {
   public:
-    SwimmingBody(const SwimmingBodyParameters<dim> &parameters,
-                 const CouplingParameters          &coupling,
-                 double                             fluid_density,
-                 MPI_Comm                           communicator);
+    SwimmingBody(const SwimmingBodyParameters<dim> &parameters, const CouplingParameters &coupling,
+                 double fluid_density, MPI_Comm communicator);
 
-    const std::string                 &get_name() const { return solid.get_name(); }
-    const SwimmingBodyParameters<dim> &get_parameters() const { return parameters; }
+    const std::string &get_name() const
+    {
+      return solid.get_name();
+    }
+    const SwimmingBodyParameters<dim> &get_parameters() const
+    {
+      return parameters;
+    }
 
     /** Controller and muscle decide on the step from @p time of length @p step. */
     void prepare_step(double time, double step);
@@ -60,15 +64,21 @@ namespace caudal
      * over the body by a rotation and a translation, plus its distance from x
      * over @p relaxation_time [s].
      */
-    Vector<double>
-    compute_gait_velocity(const Vector<double> &x, double time, double relaxation_time) const;
+    Vector<double> compute_gait_velocity(const Vector<double> &x, double time,
+                                         double relaxation_time) const;
 
     /** Sets rigid_moments and rigid_inertia of the equations for rigid motions of @p x. */
     void set_up_rigid_motions(const Vector<double> &x);
 
-    bool has_gait() const { return gait != nullptr; }
+    bool has_gait() const
+    {
+      return gait != nullptr;
+    }
     /** Whether a muscle or a gait moves it. */
-    bool swims() const { return has_gait() || muscle->has_force() || muscle->has_active_stress(); }
+    bool swims() const
+    {
+      return has_gait() || muscle->has_force() || muscle->has_active_stress();
+    }
 
     /** Work of the step: the new state becomes the present one. */
     void accept_step(double step);
@@ -76,11 +86,20 @@ namespace caudal
     /** Lateral position [m] of the muscle's monitored point, as the muscle is told. */
     double get_lateral_position() const;
     /** Velocity of the centre of mass. */
-    Tensor<1, dim> get_mean_velocity() const { return solid.compute_mean(solid.velocity); }
+    Tensor<1, dim> get_mean_velocity() const
+    {
+      return solid.compute_mean(solid.velocity);
+    }
     /** The direction in which the fish looks, from tail to nose. */
     Tensor<1, dim> get_forward_direction() const;
-    double         get_activation() const { return muscle->activation(); }
-    double         get_length() const { return length; }
+    double         get_activation() const
+    {
+      return muscle->activation();
+    }
+    double get_length() const
+    {
+      return length;
+    }
 
     SolidBody<dim>           solid;
     InteractionOperator<dim> interaction;

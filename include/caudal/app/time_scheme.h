@@ -12,15 +12,15 @@ namespace caudal
   template <int dim>
   struct ImmersedSystem
   {
-    FluidSpace<dim>                                  &space;
-    MomentumOperator<dim>                            &momentum;
-    CoupledSystem<dim>                               &coupled_system;
-    FluidState<dim>                                  &fluid;
+    FluidSpace<dim>                                 &space;
+    MomentumOperator<dim>                           &momentum;
+    CoupledSystem<dim>                              &coupled_system;
+    FluidState<dim>                                 &fluid;
     std::vector<std::unique_ptr<SwimmingBody<dim>>> &bodies;
-    const CellLattice<dim>                           &lattice;
-    std::unique_ptr<FinestCells<dim>>                &finest_cells;
-    const SolverParameters                           &solver;
-    TimerOutput                                      &timer;
+    const CellLattice<dim>                          &lattice;
+    std::unique_ptr<FinestCells<dim>>               &finest_cells;
+    const SolverParameters                          &solver;
+    TimerOutput                                     &timer;
   };
 
   /** What a step tells. */
@@ -58,14 +58,14 @@ namespace caudal
      */
     unsigned int solve(FieldVector                                          &residual,
                        const std::vector<typename CoupledSystem<dim>::Body> &coupled,
-                       const MomentumWeights                                &weights,
-                       bool                                                  matrix_changed);
+                       const MomentumWeights &weights, bool matrix_changed);
 
     /** Augmentation gamma of the present step [Pa s]. */
     double get_augmentation(double inertia) const;
 
     /** Throws unless velocities are finite and no body cell is inverted; fills the indicators. */
-    StepResult check_trial_state(unsigned int iterations, double step, const std::vector<Vector<double>> &predicted);
+    StepResult check_trial_state(unsigned int iterations, double step,
+                                 const std::vector<Vector<double>> &predicted);
 
     ImmersedSystem<dim> system;
     FieldVector         new_velocity, new_pressure;

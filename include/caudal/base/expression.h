@@ -15,15 +15,14 @@ namespace caudal
    * @p n_components components.
    */
   template <int dim>
-  std::unique_ptr<dealii::FunctionParser<dim>>
-  make_expression(const std::string &path, const std::string &expression, unsigned int n_components);
+  std::unique_ptr<dealii::FunctionParser<dim>> make_expression(const std::string &path,
+                                                               const std::string &expression,
+                                                               unsigned int       n_components);
 
   /** Throws unless the function is finite at @p point: to be called where it is evaluated. */
   template <int dim>
-  void check_finite(const std::string           &path,
-                    const std::string           &expression,
-                    const dealii::Function<dim> &function,
-                    const dealii::Point<dim>    &point);
+  void check_finite(const std::string &path, const std::string &expression,
+                    const dealii::Function<dim> &function, const dealii::Point<dim> &point);
 } // namespace caudal
 
 #endif

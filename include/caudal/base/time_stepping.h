@@ -10,15 +10,15 @@ namespace caudal
   /** Section `Time` of the .prm. */
   struct TimeParameters
   {
-    std::string  scheme          = "semi-implicit";
-    double       end_time        = 5.;
-    double       step            = 2e-3;
-    bool         adaptive        = false;
-    double       largest_step    = 5e-3;
-    double       smallest_step   = 1e-7;
-    double       body_cfl        = 1.;
-    double       convective_cfl  = 2.;
-    double       error_tolerance = 0.1;
+    std::string  scheme                    = "semi-implicit";
+    double       end_time                  = 5.;
+    double       step                      = 2e-3;
+    bool         adaptive                  = false;
+    double       largest_step              = 5e-3;
+    double       smallest_step             = 1e-7;
+    double       body_cfl                  = 1.;
+    double       convective_cfl            = 2.;
+    double       error_tolerance           = 0.1;
     unsigned int largest_number_of_retries = 6;
 
     void add_parameters(dealii::ParameterHandler &prm);
@@ -36,7 +36,8 @@ namespace caudal
     double derivative[3];
     double extrapolation[2];
 
-    /** The backward differentiation formula of second order; of first order for @p previous_step = 0. */
+    /** The backward differentiation formula of second order; of first order for @p previous_step =
+     * 0. */
     static TimeWeights backward_differentiation(double step, double previous_step);
   };
 
@@ -46,12 +47,27 @@ namespace caudal
   public:
     explicit TimeStepper(const TimeParameters &parameters);
 
-    double       get_time() const { return time; }
-    double       get_step() const { return step; }
-    double       get_next_time() const { return time + step; }
-    double       get_previous_step() const { return previous_step; }
-    unsigned int get_step_number() const { return step_number; }
-    bool         is_at_end() const;
+    double get_time() const
+    {
+      return time;
+    }
+    double get_step() const
+    {
+      return step;
+    }
+    double get_next_time() const
+    {
+      return time + step;
+    }
+    double get_previous_step() const
+    {
+      return previous_step;
+    }
+    unsigned int get_step_number() const
+    {
+      return step_number;
+    }
+    bool is_at_end() const;
 
     /** Weights of the coming step (BDF1 in the first, then BDF2). */
     TimeWeights get_weights() const;

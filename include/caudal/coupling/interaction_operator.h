@@ -15,8 +15,8 @@ namespace caudal
   /** Section `Coupling`. */
   struct CouplingParameters
   {
-    std::string kernel               = "four-point";
-    double      quadrature_density   = 1.5;
+    std::string kernel             = "four-point";
+    double      quadrature_density = 1.5;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -49,21 +49,17 @@ namespace caudal
      * the kernel's support lies outside the finest level; @p name is the
      * body's, for the message. Returns the number of quadrature points.
      */
-    unsigned int reinit(const FinestCells<dim>          &finest_cells,
-                        const DoFHandler<dim>           &velocity_dofs,
+    unsigned int reinit(const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
                         const AffineConstraints<double> &constraints,
-                        const FieldVector               &velocity_layout,
-                        const DoFHandler<dim>           &body_dofs,
-                        const Vector<double>            &positions,
-                        const std::string               &name);
+                        const FieldVector &velocity_layout, const DoFHandler<dim> &body_dofs,
+                        const Vector<double> &positions, const std::string &name);
 
     /**
      * result = G u (without the division by the body's mass matrix), u having
      * up-to-date ghost values; @p homogeneous: as if all boundary values were zero; collective.
      */
-    void interpolate(const FieldVector &velocity,
-                     Vector<double>    &result,
-                     bool               homogeneous = false) const;
+    void interpolate(const FieldVector &velocity, Vector<double> &result,
+                     bool homogeneous = false) const;
 
     /** result += G^T Phi on the unconstrained velocity unknowns; collective. */
     void spread(const Vector<double> &force_density, FieldVector &result) const;
@@ -77,7 +73,10 @@ namespace caudal
           operation(row, columns[k], entries[k]);
     }
 
-    std::size_t n_local_entries() const { return entries.size(); }
+    std::size_t n_local_entries() const
+    {
+      return entries.size();
+    }
 
   private:
     const CouplingParameters &parameters;
@@ -85,10 +84,10 @@ namespace caudal
     MPI_Comm                  communicator;
 
     // Compressed rows: global columns, and the same as indices into a ghosted vector.
-    std::vector<std::size_t>             row_start;
-    std::vector<types::global_dof_index> columns;
-    std::vector<unsigned int>            local_columns;
-    std::vector<double>                  entries;
+    std::vector<std::size_t>                           row_start;
+    std::vector<types::global_dof_index>               columns;
+    std::vector<unsigned int>                          local_columns;
+    std::vector<double>                                entries;
     std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
 
     // What the inhomogeneous constraints contribute to G u.

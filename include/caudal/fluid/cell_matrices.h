@@ -38,8 +38,7 @@ namespace caudal
   class CellMatrices
   {
   public:
-    CellMatrices(const FESystem<dim>  &velocity_element,
-                 const FE_DGP<dim>    &pressure_element,
+    CellMatrices(const FESystem<dim> &velocity_element, const FE_DGP<dim> &pressure_element,
                  const Tensor<1, dim> &cell_size);
 
     /** Constant part of the momentum matrix. */
@@ -53,19 +52,34 @@ namespace caudal
      * (Matthies, Skrzypacz & Tobiska 2007, doi:10.1051/m2an:2007038), for which
      * tau = rho c min(h/|w|, 1/rate). @p transport holds the nodal values of w.
      */
-    void get_convection_matrix(const Vector<double> &transport,
-                               double                density,
-                               double                stabilisation,
-                               double                rate,
-                               FullMatrix<double>   &matrix) const;
+    void get_convection_matrix(const Vector<double> &transport, double density,
+                               double stabilisation, double rate, FullMatrix<double> &matrix) const;
 
-    const FullMatrix<double> &get_mass() const { return mass; }
-    const FullMatrix<double> &get_stiffness() const { return stiffness; }
-    const FullMatrix<double> &get_grad_div() const { return grad_div; }
+    const FullMatrix<double> &get_mass() const
+    {
+      return mass;
+    }
+    const FullMatrix<double> &get_stiffness() const
+    {
+      return stiffness;
+    }
+    const FullMatrix<double> &get_grad_div() const
+    {
+      return grad_div;
+    }
     /** (psi_k, div phi_i), rows k. */
-    const FullMatrix<double> &get_divergence() const { return divergence; }
-    const FullMatrix<double> &get_inverse_pressure_mass() const { return inverse_pressure_mass; }
-    const Tensor<1, dim>     &get_cell_size() const { return cell_size; }
+    const FullMatrix<double> &get_divergence() const
+    {
+      return divergence;
+    }
+    const FullMatrix<double> &get_inverse_pressure_mass() const
+    {
+      return inverse_pressure_mass;
+    }
+    const Tensor<1, dim> &get_cell_size() const
+    {
+      return cell_size;
+    }
 
   private:
     const FESystem<dim> &velocity_element;

@@ -25,11 +25,11 @@ namespace caudal
   {
     double      density                  = 1000;
     double      kinematic_viscosity      = 1e-6;
-    double      grad_div                 = 0.1;
+    double      grad_div                 = 1;
     double      convection_stabilisation = 0.1;
     bool        backflow_stabilisation   = true;
     std::string inflow_velocity;
-    double      inflow_ramp      = 0;
+    double      inflow_ramp = 0;
     std::string initial_velocity;
     std::string body_force;
     std::string exact_solution;
@@ -40,7 +40,10 @@ namespace caudal
     void add_parameters(ParameterHandler &prm);
     void check() const;
 
-    double                         get_viscosity() const { return density * kinematic_viscosity; }
+    double get_viscosity() const
+    {
+      return density * kinematic_viscosity;
+    }
     std::vector<BoundaryCondition> get_boundary_conditions() const;
     bool                           has_condition(BoundaryCondition condition) const;
   };

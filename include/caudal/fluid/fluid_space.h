@@ -21,8 +21,7 @@ namespace caudal
   {
   public:
     FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
-               const DomainParameters<dim>               &domain,
-               const FluidParameters<dim>                &parameters);
+               const DomainParameters<dim> &domain, const FluidParameters<dim> &parameters);
 
     /** To be called after each change of the grid. */
     void reinit();
@@ -30,15 +29,27 @@ namespace caudal
     /** Sets the inhomogeneous constraints to the boundary values at @p time. */
     void set_boundary_values(double time);
 
-    const parallel::distributed::Triangulation<dim> &get_triangulation() const { return triangulation; }
-    MPI_Comm get_communicator() const { return triangulation.get_communicator(); }
-    const FluidParameters<dim> &get_parameters() const { return parameters; }
+    const parallel::distributed::Triangulation<dim> &get_triangulation() const
+    {
+      return triangulation;
+    }
+    MPI_Comm get_communicator() const
+    {
+      return triangulation.get_communicator();
+    }
+    const FluidParameters<dim> &get_parameters() const
+    {
+      return parameters;
+    }
 
     /** A zero vector with ghost entries for all locally relevant unknowns. */
     FieldVector make_velocity_vector() const;
     FieldVector make_pressure_vector() const;
 
-    const Tensor<1, dim> &get_domain_size() const { return domain_size; }
+    const Tensor<1, dim> &get_domain_size() const
+    {
+      return domain_size;
+    }
     /** The domain's volume over the number of velocity nodes [m^dim]. */
     double get_mean_nodal_volume() const;
 

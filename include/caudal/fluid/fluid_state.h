@@ -48,12 +48,14 @@ namespace caudal
 
   /** Largest h |vorticity| of each active cell of this rank, h the cell's edge [m/s]. */
   template <int dim>
-  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space, const FieldVector &velocity);
+  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
+                                            const FieldVector     &velocity);
 
-  /** L2 errors of velocity and pressure (its mean removed) against the exact solution at @p time. */
+  /** L2 errors of velocity and pressure (its mean removed) against the exact solution at @p time.
+   */
   template <int dim>
-  std::pair<double, double>
-  compute_errors(const FluidSpace<dim> &space, const FluidState<dim> &state, double time);
+  std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
+                                           const FluidState<dim> &state, double time);
 
   /** The vorticity for DataOut: a scalar in 2D, a vector in 3D [1/s]. */
   template <int dim>

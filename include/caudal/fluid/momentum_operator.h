@@ -50,14 +50,18 @@ namespace caudal
      * equal weights; then returns false) and the @p residual of @p velocity
      * and @p pressure. All input vectors have up-to-date ghost values.
      */
-    bool assemble(const MomentumStep &step,
-                  const FieldVector  &velocity,
-                  const FieldVector  &pressure,
-                  FieldVector        &residual);
+    bool assemble(const MomentumStep &step, const FieldVector &velocity,
+                  const FieldVector &pressure, FieldVector &residual);
 
-    const TrilinosWrappers::SparseMatrix &get_matrix() const { return matrix; }
+    const TrilinosWrappers::SparseMatrix &get_matrix() const
+    {
+      return matrix;
+    }
     /** B, without the constrained velocities. */
-    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const { return divergence_matrix; }
+    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const
+    {
+      return divergence_matrix;
+    }
 
     /** result = B u with all, also the constrained, velocities. */
     void compute_divergence(const FieldVector &velocity, FieldVector &result) const;

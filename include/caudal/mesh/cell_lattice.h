@@ -25,7 +25,10 @@ namespace caudal
 
     explicit CellLattice(const DomainParameters<dim> &parameters);
 
-    unsigned int   get_finest_level() const { return finest_level; }
+    unsigned int get_finest_level() const
+    {
+      return finest_level;
+    }
     Tensor<1, dim> get_cell_size(unsigned int level) const;
 
     /** The coordinates on @p level of the cell that holds @p point (inside the domain or not). */
@@ -57,10 +60,16 @@ namespace caudal
     bool contains(const Point<dim> &cell_center, unsigned int level) const;
 
     /** Number of finest cells. */
-    std::size_t size() const { return keys.back().size(); }
+    std::size_t size() const
+    {
+      return keys.back().size();
+    }
 
     /** Whether all boxes, with their margins, were inside the domain. */
-    bool is_inside_domain() const { return inside_domain; }
+    bool is_inside_domain() const
+    {
+      return inside_domain;
+    }
 
     /** Whether each of the cells is an active one of the finest level (collective). */
     bool is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const;
@@ -84,11 +93,14 @@ namespace caudal
     /** nullptr if the cell is not there, not on the finest level or another rank's. */
     const Cell *find(const typename CellLattice<dim>::Coordinates &coordinates) const;
 
-    const CellLattice<dim> &get_lattice() const { return lattice; }
+    const CellLattice<dim> &get_lattice() const
+    {
+      return lattice;
+    }
 
   private:
-    const CellLattice<dim>                                        &lattice;
-    std::unordered_map<typename CellLattice<dim>::Key, Cell>       cells;
+    const CellLattice<dim>                                  &lattice;
+    std::unordered_map<typename CellLattice<dim>::Key, Cell> cells;
   };
 } // namespace caudal
 

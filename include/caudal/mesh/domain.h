@@ -18,10 +18,10 @@ namespace caudal
   template <int dim>
   struct DomainParameters
   {
-    Point<dim>          lower_corner;
-    Point<dim>          size;
-    std::vector<unsigned int> cells = std::vector<unsigned int>(dim, 8);
-    unsigned int        levels = 4;
+    Point<dim>                lower_corner;
+    Point<dim>                size;
+    std::vector<unsigned int> cells  = std::vector<unsigned int>(dim, 8);
+    unsigned int              levels = 4;
 
     DomainParameters();
     void add_parameters(ParameterHandler &prm);
@@ -29,10 +29,16 @@ namespace caudal
 
     /** Edges of a cell of refinement level @p level [m]. */
     Tensor<1, dim> get_cell_size(unsigned int level) const;
-    unsigned int   get_finest_level() const { return levels - 1; }
+    unsigned int   get_finest_level() const
+    {
+      return levels - 1;
+    }
 
     /** Spacing of the lattice of velocity nodes on the finest level: half a cell [m]. */
-    Tensor<1, dim> get_finest_spacing() const { return 0.5 * get_cell_size(get_finest_level()); }
+    Tensor<1, dim> get_finest_spacing() const
+    {
+      return 0.5 * get_cell_size(get_finest_level());
+    }
   };
 
   /** The sides' names in the order of their boundary ids. */

@@ -10,12 +10,12 @@ namespace caudal
   /** Section `Refinement`: where the fluid's grid is fine. */
   struct RefinementParameters
   {
-    unsigned int interval            = 10;
-    double       body_margin         = 3;
-    double       vorticity_threshold = 0;
-    unsigned int vorticity_levels    = 0;
+    unsigned int interval                = 10;
+    double       body_margin             = 3;
+    double       vorticity_threshold     = 0;
+    unsigned int vorticity_levels        = 0;
     unsigned int largest_number_of_cells = 100000;
-    std::string  level_expression    = "0";
+    std::string  level_expression        = "0";
 
     void add_parameters(ParameterHandler &prm);
     void check(unsigned int levels) const;
@@ -31,10 +31,8 @@ namespace caudal
    */
   template <int dim>
   bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
-                  const CellLattice<dim>                    &lattice,
-                  const CellSet<dim>                        &body_cells,
-                  const Vector<float>                       &indicator,
-                  const RefinementParameters                &parameters);
+                  const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
+                  const Vector<float> &indicator, const RefinementParameters &parameters);
 } // namespace caudal
 
 #endif

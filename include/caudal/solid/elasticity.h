@@ -37,11 +37,9 @@ namespace caudal
    * @p with_matrices. Throws ExcInvertedElement if det F <= 0 somewhere.
    */
   template <int dim>
-  void assemble_elastic_system(const SolidBody<dim>  &body,
-                               const Vector<double>  &positions,
-                               const ActiveLoad<dim> &load,
-                               bool                   with_matrices,
-                               ElasticSystem         &system);
+  void assemble_elastic_system(const SolidBody<dim> &body, const Vector<double> &positions,
+                               const ActiveLoad<dim> &load, bool with_matrices,
+                               ElasticSystem &system);
 
   /** Integral quantities of a deformed body. */
   struct DeformationSummary
@@ -55,8 +53,10 @@ namespace caudal
   };
 
   template <int dim>
-  DeformationSummary summarise_deformation(const SolidBody<dim> &body, const Vector<double> &positions);
-  /** Cell means for pictures: J, the elastic Cauchy stress P F^T / J [Pa] by component, the region. */
+  DeformationSummary summarise_deformation(const SolidBody<dim> &body,
+                                           const Vector<double> &positions);
+  /** Cell means for pictures: J, the elastic Cauchy stress P F^T / J [Pa] by component, the region.
+   */
   struct CellDeformation
   {
     Vector<float>                        jacobian, region;
@@ -64,7 +64,8 @@ namespace caudal
   };
 
   template <int dim>
-  CellDeformation compute_cell_deformation(const SolidBody<dim> &body, const Vector<double> &positions);
+  CellDeformation compute_cell_deformation(const SolidBody<dim> &body,
+                                           const Vector<double> &positions);
 } // namespace caudal
 
 #endif

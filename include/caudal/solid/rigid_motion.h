@@ -19,10 +19,9 @@ namespace caudal
    * doi:10.1107/S0567739476001873).
    */
   template <int dim>
-  RigidMotion<dim> fit_rigid_motion(const SolidBody<dim>                              &body,
+  RigidMotion<dim> fit_rigid_motion(const SolidBody<dim>                             &body,
                                     const std::vector<typename SolidBody<dim>::Node> &nodes,
-                                    const Vector<double>                              &reference,
-                                    const Vector<double>                              &x);
+                                    const Vector<double> &reference, const Vector<double> &x);
 
   /** The velocity v = mean + spin (x - center) of a rigid motion; spin is skew-symmetric. */
   template <int dim>
@@ -34,14 +33,14 @@ namespace caudal
 
   /** The rigid velocity that is closest to the nodal field @p v at the nodal positions @p x. */
   template <int dim>
-  RigidVelocity<dim> fit_rigid_velocity(const SolidBody<dim>                              &body,
+  RigidVelocity<dim> fit_rigid_velocity(const SolidBody<dim>                             &body,
                                         const std::vector<typename SolidBody<dim>::Node> &nodes,
-                                        const Vector<double>                              &x,
-                                        const Vector<double>                              &v);
+                                        const Vector<double> &x, const Vector<double> &v);
 
   /** Nodal fields that span the rigid velocities at the nodal positions @p x: dim (dim+1)/2. */
   template <int dim>
-  std::vector<Vector<double>> make_rigid_velocities(const SolidBody<dim> &body, const Vector<double> &x);
+  std::vector<Vector<double>> make_rigid_velocities(const SolidBody<dim> &body,
+                                                    const Vector<double> &x);
 } // namespace caudal
 
 #endif

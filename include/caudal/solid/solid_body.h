@@ -27,48 +27,97 @@ namespace caudal
     /** @p fluid_density is the density rho that the body shares with the fluid. */
     SolidBody(const SolidParameters<dim> &parameters, double fluid_density);
 
-    const SolidParameters<dim> &get_parameters() const { return parameters; }
-    const std::string          &get_name() const { return parameters.name; }
-    const DoFHandler<dim>      &get_dof_handler() const { return dof_handler; }
-    const Triangulation<dim>   &get_triangulation() const { return triangulation; }
-    unsigned int                n_dofs() const { return dof_handler.n_dofs(); }
-    bool                        is_fixed() const { return parameters.motion == "fixed"; }
-    const StressModel<dim>     &get_stress_model(const unsigned int region) const
+    const SolidParameters<dim> &get_parameters() const
+    {
+      return parameters;
+    }
+    const std::string &get_name() const
+    {
+      return parameters.name;
+    }
+    const DoFHandler<dim> &get_dof_handler() const
+    {
+      return dof_handler;
+    }
+    const Triangulation<dim> &get_triangulation() const
+    {
+      return triangulation;
+    }
+    unsigned int n_dofs() const
+    {
+      return dof_handler.n_dofs();
+    }
+    bool is_fixed() const
+    {
+      return parameters.motion == "fixed";
+    }
+    const StressModel<dim> &get_stress_model(const unsigned int region) const
     {
       return *stress_models[region];
     }
 
     /** M_s = int N_a N_b ds. */
-    const SparseMatrix<double> &get_mass_matrix() const { return mass; }
+    const SparseMatrix<double> &get_mass_matrix() const
+    {
+      return mass;
+    }
     /** int kappa N_a N_b ds in the directions in which the feedback force acts. */
-    const SparseMatrix<double> &get_feedback_stiffness() const { return feedback_stiffness; }
+    const SparseMatrix<double> &get_feedback_stiffness() const
+    {
+      return feedback_stiffness;
+    }
     /** int eta N_a N_b ds, likewise. */
-    const SparseMatrix<double> &get_feedback_damping() const { return feedback_damping; }
-    const SparsityPattern      &get_sparsity_pattern() const { return pattern; }
+    const SparseMatrix<double> &get_feedback_damping() const
+    {
+      return feedback_damping;
+    }
+    const SparsityPattern &get_sparsity_pattern() const
+    {
+      return pattern;
+    }
     /** rho_s - rho [kg/m^3] */
-    double get_excess_density() const { return excess_density; }
+    double get_excess_density() const
+    {
+      return excess_density;
+    }
     /** vector := M_s^-1 vector */
     void apply_inverse_mass(Vector<double> &vector) const;
 
     /** The unknowns of a node, one for each component. */
     using Node = std::array<unsigned int, dim>;
-    const std::vector<Node> &get_nodes() const { return nodes; }
+    const std::vector<Node> &get_nodes() const
+    {
+      return nodes;
+    }
     /** The nodes in the first region, the swimmer's head. */
-    const std::vector<Node> &get_head_nodes() const { return head_nodes; }
+    const std::vector<Node> &get_head_nodes() const
+    {
+      return head_nodes;
+    }
     /** Reference point (own frame) of an unknown. */
-    const Point<dim> &get_reference_point(const unsigned int dof) const { return reference_points[dof]; }
+    const Point<dim> &get_reference_point(const unsigned int dof) const
+    {
+      return reference_points[dof];
+    }
     /** int N_a ds, the lumped mass matrix. */
-    const Vector<double> &get_nodal_volumes() const { return nodal_volumes; }
+    const Vector<double> &get_nodal_volumes() const
+    {
+      return nodal_volumes;
+    }
 
     /** int ds [m^dim] */
-    double get_reference_volume() const { return reference_volume; }
+    double get_reference_volume() const
+    {
+      return reference_volume;
+    }
     /** The unit vector d of the body's own frame, at the start. */
     Tensor<1, dim> get_initial_axis(unsigned int d) const;
     /** Rotates a vector of the body's frame as the body is placed at the start. */
     Tensor<1, dim> rotate_to_domain(const Tensor<1, dim> &vector) const;
 
     /** int N_a v(s) ds of a function given at the reference points. */
-    Vector<double> compute_moments(const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const;
+    Vector<double>
+    compute_moments(const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const;
 
     /**
      * Prepares the evaluation of fields at a point of the reference
@@ -95,7 +144,10 @@ namespace caudal
       std::vector<double>                      weights;         // [cell * n_q + q]
       unsigned int                             n_q;
     };
-    const QuadratureData &get_quadrature_data() const { return quadrature_data; }
+    const QuadratureData &get_quadrature_data() const
+    {
+      return quadrature_data;
+    }
 
     /** Positions at the start. */
     Vector<double> initial_positions;

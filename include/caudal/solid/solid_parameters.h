@@ -12,9 +12,9 @@ namespace caudal
   struct RegionParameters
   {
     MaterialParameters material;
-    double             volumetric_damping = 0;
-    double             feedback_stiffness = 0;
-    double             feedback_damping   = 0;
+    double             volumetric_damping  = 0;
+    double             feedback_stiffness  = 0;
+    double             feedback_damping    = 0;
     std::string        feedback_directions = "xyz";
 
     void add_parameters(ParameterHandler &prm);
@@ -42,7 +42,10 @@ namespace caudal
     /** Declares the entries in the section of the body, which @p prm is in. */
     void        add_parameters(ParameterHandler &prm);
     void        check() const;
-    std::string get_path() const { return "Body " + name; }
+    std::string get_path() const
+    {
+      return "Body " + name;
+    }
   };
 } // namespace caudal
 
