@@ -31,6 +31,21 @@ namespace caudal
       }
       return nodes;
     }
+
+    /**
+     * The part of the volumetric damping that acts at each quadrature point
+     * rather than on the cell's volume: enough against cells whose ends swell
+     * and shrink in turn, too little to make them resist bending.
+     */
+    constexpr double pointwise_fraction = 0.02;
+
+    /** matrix += factor v v^T */
+    void add_outer_product(const double factor, const Vector<double> &v, FullMatrix<double> &matrix)
+    {
+      for (unsigned int i = 0; i < v.size(); ++i)
+        for (unsigned int j = 0; j < v.size(); ++j)
+          matrix(i, j) += factor * v[i] * v[j];
+    }
   } // namespace
 
   void ElasticSystem::reinit(const SparsityPattern &pattern)
@@ -50,9 +65,9 @@ namespace caudal
     const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
     const unsigned int                   n       = element.n_dofs_per_cell();
     std::vector<types::global_dof_index> dofs(n);
-    Vector<double>                       elastic(n), active(n), volume_gradient(n);
-    FullMatrix<double>                   stiffness(n, n);
-    std::vector<unsigned int>            component(n), node(n);
+    Vector<double>            elastic(n), active(n), volume_gradient(n), point_gradient(n);
+    FullMatrix<double>        stiffness(n, n), cell_damping(n, n);
+    std::vector<unsigned int> component(n), node(n);
     for (unsigned int i = 0; i < n; ++i)
       std::tie(component[i], node[i]) = element.system_to_component_index(i);
 
@@ -72,7 +87,10 @@ namespace caudal
       active               = 0;
       stiffness            = 0;
       volume_gradient      = 0;
-      double volume        = 0;
+      cell_damping         = 0;
+      double       volume  = 0;
+      const double damping =
+          body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
       for (unsigned int q = 0; q < data.n_q; ++q)
       {
         const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
@@ -100,9 +118,11 @@ namespace caudal
 
         const double         J        = determinant(F);
         const Tensor<2, dim> cofactor = J * transpose(invert(F));
-        volume += weight * J;
         for (unsigned int i = 0; i < n; ++i)
-          volume_gradient[i] += weight * (cofactor[component[i]] * gradients[node[i]]);
+          point_gradient[i] = cofactor[component[i]] * gradients[node[i]];
+        volume += weight * J;
+        volume_gradient.add(weight, point_gradient);
+        add_outer_product(pointwise_fraction * damping * weight / J, point_gradient, cell_damping);
         const Tensor<4, dim> tangent = material.tangent(F);
         for (unsigned int j = 0; j < n; ++j)
         {
@@ -121,12 +141,8 @@ namespace caudal
       if (with_matrices)
       {
         system.stiffness.add(dofs, stiffness);
-        const double damping =
-            body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            stiffness(i, j) = damping / volume * volume_gradient[i] * volume_gradient[j];
-        system.volumetric_damping.add(dofs, stiffness);
+        add_outer_product(damping / volume, volume_gradient, cell_damping);
+        system.volumetric_damping.add(dofs, cell_damping);
       }
     }
   }

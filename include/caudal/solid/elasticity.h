@@ -26,7 +26,10 @@ namespace caudal
     Vector<double> active_force;
     /** K = -d(elastic_force + active_force)/dX */
     SparseMatrix<double> stiffness;
-    /** D_ij = sum of eta_v/V dV/dX_i dV/dX_j over the cells, V being a cell's volume. */
+    /**
+     * D_ij = sum over the cells of eta_v/V dV/dX_i dV/dX_j, V being a cell's volume,
+     * and a small part of the same at each quadrature point.
+     */
     SparseMatrix<double> volumetric_damping;
 
     void reinit(const SparsityPattern &pattern);
