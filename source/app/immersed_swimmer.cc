@@ -210,6 +210,8 @@ namespace caudal
       output.finish();
       throw;
     }
+    if (!stepper.is_at_end())
+      log << "Stopped on request at t = " << stepper.get_time() << " s." << std::endl;
     output.write_fields(stepper.get_time());
     output.finish();
 

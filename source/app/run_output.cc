@@ -66,14 +66,16 @@ namespace caudal
   {
     ledger.kinetic_energy    = flow.kinetic_energy;
     const double dissipation = flow.viscous_dissipation + flow.grad_div_dissipation;
-    ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
+    flow_dissipation += 0.5 * step * (last_dissipation + dissipation);
     last_dissipation      = dissipation;
+    ledger.dissipation    = flow_dissipation;
     ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &body : system.bodies)
     {
       ledger.elastic_energy += body->deformation.elastic_energy;
       ledger.muscle_work += body->muscle_work;
       ledger.feedback_work += body->feedback_work;
+      ledger.dissipation += body->damping_work;
       // The same power seen by the body and by the fluid.
       Vector<double> weighted(body->solid.n_dofs());
       body->solid.get_mass_matrix().vmult(weighted, body->solid.velocity);

@@ -245,13 +245,22 @@ namespace caudal
   {
     Vector<double> displacement(new_positions);
     displacement -= solid.positions;
-    const double work = elastic_system.active_force * displacement;
+    // What drives the body: the muscle, and with a gait the rest of its forces.
+    Vector<double> driving_force(elastic_system.active_force);
+    if (has_gait())
+    {
+      solid.get_mass_matrix().vmult(driving_force, new_force_density);
+      driving_force -= elastic_system.elastic_force;
+      driving_force -= new_feedback_force;
+    }
+    const double work = driving_force * displacement;
     muscle_work += work;
     muscle_power = work / step;
     // A fixed body moves through the fluid rather than with its points.
     if (solid.is_fixed())
       displacement.equ(step, new_velocity);
     feedback_work += new_feedback_force * displacement;
+    damping_work += step * elastic_system.volumetric_damping.matrix_norm_square(new_velocity);
 
     solid.old_positions = solid.positions;
     solid.old_velocity  = solid.velocity;

@@ -50,9 +50,9 @@ namespace caudal
       , stations{0.}
   {
     std::ifstream file(file_name);
-    AssertThrow(file,
-                ExcMessage(file_name + ": this file cannot be read. Give the name of an existing "
-                                       "table of times and amplitudes."));
+    AssertThrow(file, ExcMessage("Muscle/Table/File: " + file_name +
+                                 ": this file cannot be read. Give the name of an existing "
+                                 "table of times and amplitudes."));
     bool         first = true;
     unsigned int n     = 0;
     for (std::string line; std::getline(file, line);)

@@ -59,6 +59,7 @@ namespace caudal
     EnergyLedger                             ledger;
     FlowSummary<dim>                         flow;
     double                                   last_dissipation = 0; // [W/m]
+    double                                   flow_dissipation = 0; // since the start [J/m]
     unsigned int                             n_field_outputs  = 0;
     double                                   last_field_time  = -1;
 
