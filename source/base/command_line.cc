@@ -82,7 +82,8 @@ namespace caudal
            "  -D \"Section/Entry=value\"    set a parameter after reading the file; repeatable\n"
            "\n"
            "Several ranks: mpirun -np N caudal file.prm.\n"
-           "Exit codes: 0 finished, 1 error, 2 stopped on request, the\nlast state written as fields.\n";
+           "Exit codes: 0 finished, 1 error, 2 stopped on request, the\nlast state written as "
+           "fields.\n";
   }
 
   std::string get_version()

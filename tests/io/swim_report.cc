@@ -31,9 +31,11 @@ namespace
   {
     // Speed 2 (1 - exp(-3 t)), power 50 (1 + cos(4 pi t / T)): 50 on average.
     const double T = 0.4;
-    for (unsigned int i = std::lround(begin / 0.004); 0.004 * i < end - 1e-9; ++i)
+    // No sample lies at a crossing or a peak, where round-off would decide.
+    const double step = 0.0037;
+    for (unsigned int i = std::ceil(begin / step); step * i < end; ++i)
     {
-      const double t = 0.004 * i;
+      const double t = step * i;
       report.add({t, -0.1 * std::sin(2 * M_PI * t / T), 2 * (t + (std::exp(-3 * t) - 1) / 3),
                   50 * (t + T / (4 * M_PI) * std::sin(4 * M_PI * t / T))});
     }
