@@ -83,9 +83,9 @@ namespace caudal
         const auto  &parameters = system.space.get_parameters();
         const double step       = stepper.get_step();
         system.space.set_boundary_values(stepper.get_next_time());
-        new_velocity = system.fluid.velocity;
+        copy_with_layout(system.fluid.velocity, new_velocity);
         system.space.constraints.distribute(new_velocity);
-        new_pressure        = system.fluid.pressure;
+        copy_with_layout(system.fluid.pressure, new_pressure);
         FieldVector history = system.fluid.velocity;
         history *= -parameters.density / step;
         for (const FieldVector *field : {&new_velocity, &new_pressure, &history})

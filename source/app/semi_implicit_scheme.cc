@@ -59,13 +59,13 @@ namespace caudal
       void predict_fluid(const TimeWeights &weights, const double time)
       {
         system.space.set_boundary_values(time);
-        transport = system.fluid.velocity;
+        copy_with_layout(system.fluid.velocity, transport);
         transport *= weights.extrapolation[0];
         transport.add(weights.extrapolation[1], system.fluid.old_velocity);
-        new_velocity = transport;
+        copy_with_layout(transport, new_velocity);
         system.space.constraints.distribute(new_velocity);
-        new_pressure = system.fluid.pressure;
-        history      = system.fluid.velocity;
+        copy_with_layout(system.fluid.pressure, new_pressure);
+        copy_with_layout(system.fluid.velocity, history);
         history *= weights.derivative[1];
         history.add(weights.derivative[2], system.fluid.old_velocity);
         history *= system.space.get_parameters().density;

@@ -15,9 +15,9 @@ namespace caudal
   template <int dim>
   void FluidState<dim>::reinit(const FluidSpace<dim> &space)
   {
-    velocity     = space.make_velocity_vector();
-    old_velocity = space.make_velocity_vector();
-    pressure     = space.make_pressure_vector();
+    copy_with_layout(space.make_velocity_vector(), velocity);
+    copy_with_layout(space.make_velocity_vector(), old_velocity);
+    copy_with_layout(space.make_pressure_vector(), pressure);
   }
 
   template <int dim>
