@@ -66,16 +66,14 @@ namespace caudal
   {
     ledger.kinetic_energy    = flow.kinetic_energy;
     const double dissipation = flow.viscous_dissipation + flow.grad_div_dissipation;
-    flow_dissipation += 0.5 * step * (last_dissipation + dissipation);
+    ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
     last_dissipation      = dissipation;
-    ledger.dissipation    = flow_dissipation;
     ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &body : system.bodies)
     {
       ledger.elastic_energy += body->deformation.elastic_energy;
       ledger.muscle_work += body->muscle_work;
       ledger.feedback_work += body->feedback_work;
-      ledger.dissipation += body->damping_work;
       // The same power seen by the body and by the fluid.
       Vector<double> weighted(body->solid.n_dofs());
       body->solid.get_mass_matrix().vmult(weighted, body->solid.velocity);
@@ -112,6 +110,7 @@ namespace caudal
     statistics.set("dissipation", "J/m", ledger.dissipation);
     statistics.set("energy residual", "J/m", ledger.get_residual());
     statistics.set("power identity", "", identity);
+    set_probe_statistics();
     if (!parameters.fluid.exact_solution.empty())
     {
       const auto [velocity_error, pressure_error] =
@@ -120,6 +119,20 @@ namespace caudal
       statistics.set("pressure error", "Pa m", pressure_error);
     }
     statistics.write_row();
+  }
+
+  template <int dim>
+  void RunOutput<dim>::set_probe_statistics()
+  {
+    const char *const velocities = "uvw";
+    for (unsigned int k = 0; k < parameters.fluid.probes.size(); ++k)
+    {
+      const std::string probe = " at probe " + std::to_string(k + 1);
+      const auto values       = evaluate_at(system.space, system.fluid, parameters.fluid.probes[k]);
+      for (unsigned int d = 0; d < dim; ++d)
+        statistics.set(velocities[d] + probe, "m/s", values.velocity[d]);
+      statistics.set("p" + probe, "Pa", values.pressure);
+    }
   }
 
   template <int dim>

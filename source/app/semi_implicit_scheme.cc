@@ -128,7 +128,6 @@ namespace caudal
         // b linearised in U, since X^{n+1} = ... + U^{n+1} / derivative[0]
         const double move = solid.is_fixed() ? 0 : 1 / weights.derivative[0];
         body.response.copy_from(solid.get_feedback_damping());
-        body.response.add(1, body.elastic_system.volumetric_damping);
         body.response.add(move, body.elastic_system.stiffness);
         body.response.add(move, solid.get_feedback_stiffness());
         body.response.add(solid.get_excess_density() * weights.derivative[0], mass);
@@ -136,9 +135,6 @@ namespace caudal
         Vector<double> force = body.compute_feedback_force(predicted, body.new_velocity);
         force += body.elastic_system.elastic_force;
         force += body.elastic_system.active_force;
-        Vector<double> opposite_velocity(body.new_velocity);
-        opposite_velocity *= -1;
-        body.elastic_system.volumetric_damping.vmult_add(force, opposite_velocity);
         if (solid.get_excess_density() != 0)
         {
           Vector<double> acceleration(body.new_velocity);
@@ -158,6 +154,8 @@ namespace caudal
         mass.vmult_add(equations.force_density, old_force);
         equations.velocity.reinit(solid.n_dofs());
         body.interaction.interpolate(new_velocity, equations.velocity);
+        Vector<double> opposite_velocity(body.new_velocity);
+        opposite_velocity *= -1;
         mass.vmult_add(equations.velocity, opposite_velocity);
       }
 

@@ -47,12 +47,6 @@ namespace caudal
     {
       AssertThrow(gait.type == "none",
                   ExcMessage(path + "/Gait/Type: a gait needs Time/Scheme = semi-implicit."));
-      for (unsigned int r = 0; r < solid.regions.size(); ++r)
-        AssertThrow(
-            solid.region_parameters[r]->volumetric_damping == 0,
-            ExcMessage(path + "/Region " + solid.regions[r] +
-                       "/Volumetric damping: it "
-                       "needs Time/Scheme = semi-implicit. Set it to 0 or change the scheme."));
       AssertThrow(solid.density == 0,
                   ExcMessage(path +
                              "/Density: a density other than the fluid's needs Time/Scheme "
@@ -260,7 +254,6 @@ namespace caudal
     if (solid.is_fixed())
       displacement.equ(step, new_velocity);
     feedback_work += new_feedback_force * displacement;
-    damping_work += step * elastic_system.volumetric_damping.matrix_norm_square(new_velocity);
 
     solid.old_positions = solid.positions;
     solid.old_velocity  = solid.velocity;

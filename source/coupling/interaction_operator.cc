@@ -1,4 +1,5 @@
 #include <caudal/coupling/interaction_operator.h>
+#include <caudal/coupling/line_weights.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -32,54 +33,6 @@ namespace caudal
         ExcMessage("Coupling/Quadrature density: the value is " +
                    std::to_string(quadrature_density) + ". Give a number between 0 and 20."));
   }
-
-  namespace
-  {
-    // The quadratic Lagrange polynomials of the nodes 0, 1/2, 1.
-    std::array<double, 3> evaluate_quadratics(const double x)
-    {
-      return {{(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)}};
-    }
-
-    /** The one-dimensional factors of a point's interaction with the cells around it. */
-    struct LineWeights
-    {
-      int                                first_cell = 0;
-      std::vector<std::array<double, 3>> cells;  // sums with the three polynomials
-      std::vector<double>                totals; // sums of the kernel alone
-    };
-
-    /** @p x is the position in cells; @p kernel is null for the Dirac distribution. */
-    LineWeights compute_line_weights(const double x, const DeltaKernel *kernel)
-    {
-      LineWeights weights;
-      if (kernel == nullptr)
-      {
-        weights.first_cell = std::floor(x);
-        weights.cells.push_back(evaluate_quadratics(x - weights.first_cell));
-        weights.totals.push_back(1);
-        return weights;
-      }
-      const double radius = 0.5 * kernel->radius(); // in cells; the lattice has two points a cell
-      weights.first_cell  = std::floor(x - radius);
-      for (int cell = weights.first_cell; cell <= std::floor(x + radius); ++cell)
-      {
-        std::array<double, 3> sums{};
-        double                total = 0;
-        for (const double midpoint : {0.25, 0.75})
-        {
-          const double value = kernel->value(2 * (cell + midpoint - x));
-          const auto   shape = evaluate_quadratics(midpoint);
-          total += value;
-          for (unsigned int i = 0; i < 3; ++i)
-            sums[i] += value * shape[i];
-        }
-        weights.cells.push_back(sums);
-        weights.totals.push_back(total);
-      }
-      return weights;
-    }
-  } // namespace
 
   /**
    * Collects the interaction of one body cell after the other with the fluid
@@ -119,12 +72,12 @@ namespace caudal
       double seen = 0;
       for (unsigned int k = 0; k < n_kernels; ++k)
       {
-        std::array<LineWeights, dim> lines;
-        unsigned int                 n_cells = 1;
+        std::vector<LineWeights> lines;
+        unsigned int             n_cells = 1;
         for (unsigned int d = 0; d < dim; ++d)
         {
-          lines[d] = compute_line_weights((point[d] - origin[d]) / cell_size[d],
-                                          kernel.is_dirac ? nullptr : &kernel.get(k, d));
+          lines.emplace_back((point[d] - origin[d]) / cell_size[d],
+                             kernel.is_dirac ? nullptr : &kernel.get(k, d));
           n_cells *= lines[d].cells.size();
         }
         for (unsigned int c = 0; c < n_cells; ++c)

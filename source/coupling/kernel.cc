@@ -27,6 +27,11 @@ namespace caudal
       {
         return 2.;
       }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return 20; // the roots have branch points 0.2 beyond the knots
+      }
     };
 
     class Cosine : public DeltaKernel
@@ -40,6 +45,11 @@ namespace caudal
       double radius() const override
       {
         return 2.;
+      }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return 8;
       }
     };
 
@@ -59,6 +69,11 @@ namespace caudal
       double radius() const override
       {
         return 1.5;
+      }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return 20; // as above, 0.08 beyond
       }
     };
 
@@ -90,6 +105,11 @@ namespace caudal
       double radius() const override
       {
         return 0.5 * order;
+      }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return (order + 3) / 2; // for the degree order - 1, times quadratics
       }
 
     private:

@@ -43,6 +43,9 @@ namespace caudal
     prm.add_parameter("Exact solution", exact_solution,
                       "For verification: velocity components [m/s] and pressure [Pa], separated by "
                       "';'. Their errors become part of the statistics.");
+    prm.add_parameter("Probes", probes,
+                      "Points of the domain at which velocity and pressure become part of the "
+                      "statistics; coordinates separated by ',', points by ';' [m].");
     prm.enter_subsection("Boundary conditions");
     const std::vector<std::string> sides = get_side_names(dim);
     for (unsigned int side = 0; side < sides.size(); ++side)

@@ -141,6 +141,49 @@ namespace caudal
     return summary;
   }
 
+  template <int dim>
+  ProbeValues<dim> evaluate_at(const FluidSpace<dim> &space, const FluidState<dim> &state,
+                               const Point<dim> &point)
+  {
+    Vector<double>   velocities(space.velocity_element.n_dofs_per_cell());
+    Vector<double>   pressures(space.pressure_element.n_dofs_per_cell());
+    ProbeValues<dim> sum;
+    double           n_cells = 0;
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        // Place in the cell, which is a box; a little outside is on its side.
+        Point<dim> place;
+        bool       is_inside = true;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          place[d]  = (point[d] - cell->vertex(0)[d]) / space.get_cell_size(cell->level())[d];
+          is_inside = is_inside && place[d] > -1e-8 && place[d] < 1 + 1e-8;
+        }
+        if (!is_inside)
+          continue;
+        ++n_cells;
+        cell->get_dof_values(state.velocity, velocities);
+        for (unsigned int i = 0; i < velocities.size(); ++i)
+          sum.velocity[space.velocity_element.system_to_component_index(i).first] +=
+              velocities[i] * space.velocity_element.shape_value(i, place);
+        typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
+            ->get_dof_values(state.pressure, pressures);
+        for (unsigned int i = 0; i < pressures.size(); ++i)
+          sum.pressure += pressures[i] * space.pressure_element.shape_value(i, place);
+      }
+    MPI_Comm communicator = space.get_communicator();
+    n_cells               = Utilities::MPI::sum(n_cells, communicator);
+    std::ostringstream text;
+    text << point;
+    AssertThrow(n_cells > 0, ExcMessage("Fluid/Probes: the point (" + text.str() +
+                                        ") lies outside of the domain. Move it."));
+    ProbeValues<dim> mean;
+    mean.velocity = Utilities::MPI::sum(sum.velocity, communicator) / n_cells;
+    mean.pressure = Utilities::MPI::sum(sum.pressure, communicator) / n_cells;
+    return mean;
+  }
+
   namespace
   {
     /** The vorticity of a velocity gradient, as a vector with one or three components. */
@@ -259,6 +302,8 @@ namespace caudal
   template struct FluidState<dim>;                                                                 \
   template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);      \
   template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
+  template ProbeValues<dim> evaluate_at(const FluidSpace<dim> &, const FluidState<dim> &,          \
+                                        const Point<dim> &);                                       \
   template Vector<float>    compute_vorticity_indicator(const FluidSpace<dim> &,                   \
                                                         const FieldVector &);                      \
   template std::pair<double, double> compute_errors(const FluidSpace<dim> &,                       \

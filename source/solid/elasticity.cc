@@ -1,5 +1,6 @@
 #include <caudal/solid/elasticity.h>
 
+#include <cmath>
 #include <limits>
 
 namespace caudal
@@ -32,98 +33,60 @@ namespace caudal
       return nodes;
     }
 
-    /**
-     * The part of the volumetric damping that acts at each quadrature point
-     * rather than on the cell's volume: enough against cells whose ends swell
-     * and shrink in turn, too little to make them resist bending.
-     */
-    constexpr double pointwise_fraction = 0.02;
-
-    /** matrix += factor v v^T */
-    void add_outer_product(const double factor, const Vector<double> &v, FullMatrix<double> &matrix)
+    /** What a cell contributes to an ElasticSystem. */
+    template <int dim>
+    class CellSystem
     {
-      for (unsigned int i = 0; i < v.size(); ++i)
-        for (unsigned int j = 0; j < v.size(); ++j)
-          matrix(i, j) += factor * v[i] * v[j];
-    }
-  } // namespace
-
-  void ElasticSystem::reinit(const SparsityPattern &pattern)
-  {
-    elastic_force.reinit(pattern.n_rows());
-    active_force.reinit(pattern.n_rows());
-    stiffness.reinit(pattern);
-    volumetric_damping.reinit(pattern);
-  }
-
-  template <int dim>
-  void assemble_elastic_system(const SolidBody<dim> &body, const Vector<double> &positions,
-                               const ActiveLoad<dim> &load, const bool with_matrices,
-                               ElasticSystem &system)
-  {
-    const auto                          &data    = body.get_quadrature_data();
-    const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
-    const unsigned int                   n       = element.n_dofs_per_cell();
-    std::vector<types::global_dof_index> dofs(n);
-    Vector<double>            elastic(n), active(n), volume_gradient(n), point_gradient(n);
-    FullMatrix<double>        stiffness(n, n), cell_damping(n, n);
-    std::vector<unsigned int> component(n), node(n);
-    for (unsigned int i = 0; i < n; ++i)
-      std::tie(component[i], node[i]) = element.system_to_component_index(i);
-
-    system.elastic_force = 0;
-    system.active_force  = 0;
-    if (with_matrices)
-    {
-      system.stiffness          = 0;
-      system.volumetric_damping = 0;
-    }
-    for (const auto &cell : body.get_dof_handler().active_cell_iterators())
-    {
-      cell->get_dof_indices(dofs);
-      const auto  nodes    = get_nodes<dim>(cell, dofs, positions);
-      const auto &material = body.get_stress_model(cell->material_id());
-      elastic              = 0;
-      active               = 0;
-      stiffness            = 0;
-      volume_gradient      = 0;
-      cell_damping         = 0;
-      double       volume  = 0;
-      const double damping =
-          body.get_parameters().region_parameters[cell->material_id()]->volumetric_damping;
-      for (unsigned int q = 0; q < data.n_q; ++q)
+    public:
+      explicit CellSystem(const FiniteElement<dim> &element)
+          : n(element.n_dofs_per_cell())
+          , component(n)
+          , node(n)
+          , elastic(n)
+          , active(n)
+          , volume_gradient(n)
+          , stiffness(n, n)
       {
-        const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
-        const auto          &gradients = data.shape_gradients[point];
-        const double         weight    = data.weights[point];
-        const Tensor<2, dim> F         = compute_deformation_gradient(nodes, gradients);
-        AssertThrow(determinant(F) > 0, ExcInvertedElement(determinant(F)));
+        for (unsigned int i = 0; i < n; ++i)
+          std::tie(component[i], node[i]) = element.system_to_component_index(i);
+      }
 
-        const Tensor<2, dim> P = material.first_piola_kirchhoff_stress(F);
-        Tensor<2, dim>       active_stress;
-        Tensor<1, dim>       force;
-        if (load.stress)
-          active_stress = load.stress(data.points[point], cell->material_id());
-        if (load.force_density)
-          force = load.force_density(data.points[point], cell->material_id());
-        const Tensor<2, dim> active_P = F * active_stress;
+      void clear()
+      {
+        elastic          = 0;
+        active           = 0;
+        volume_gradient  = 0;
+        stiffness        = 0;
+        volume           = 0;
+        reference_volume = 0;
+      }
+
+      void add_forces(const Tensor<2, dim> &P, const Tensor<2, dim> &active_P,
+                      const Tensor<1, dim> &force, const std::vector<double> &shape_values,
+                      const std::vector<Tensor<1, dim>> &gradients, const double weight)
+      {
         for (unsigned int i = 0; i < n; ++i)
         {
           elastic[i] -= weight * (P[component[i]] * gradients[node[i]]);
-          active[i] += weight * (force[component[i]] * data.shape_values[q][node[i]] -
+          active[i] += weight * (force[component[i]] * shape_values[node[i]] -
                                  active_P[component[i]] * gradients[node[i]]);
         }
-        if (!with_matrices)
-          continue;
+      }
 
+      void add_volume(const Tensor<2, dim> &F, const std::vector<Tensor<1, dim>> &gradients,
+                      const double weight)
+      {
         const double         J        = determinant(F);
         const Tensor<2, dim> cofactor = J * transpose(invert(F));
         for (unsigned int i = 0; i < n; ++i)
-          point_gradient[i] = cofactor[component[i]] * gradients[node[i]];
+          volume_gradient[i] += weight * (cofactor[component[i]] * gradients[node[i]]);
         volume += weight * J;
-        volume_gradient.add(weight, point_gradient);
-        add_outer_product(pointwise_fraction * damping * weight / J, point_gradient, cell_damping);
-        const Tensor<4, dim> tangent = material.tangent(F);
+        reference_volume += weight;
+      }
+
+      void add_stiffness(const Tensor<4, dim> &tangent, const Tensor<2, dim> &active_stress,
+                         const std::vector<Tensor<1, dim>> &gradients, const double weight)
+      {
         for (unsigned int j = 0; j < n; ++j)
         {
           // dP for a displacement of node j: column k of the tangent times grad N_j.
@@ -136,14 +99,97 @@ namespace caudal
             stiffness(i, j) += weight * (dP[component[i]] * gradients[node[i]]);
         }
       }
-      system.elastic_force.add(dofs, elastic);
-      system.active_force.add(dofs, active);
-      if (with_matrices)
+
+      /**
+       * Force and stiffness of the energy kappa/2 V (ln(v/V))^2 of the volume v of
+       * the cell, V in the reference configuration. The stiffness is that of the
+       * linearised ln(v/V), which is positive semi-definite.
+       */
+      void add_volume_stabilisation(const double kappa)
       {
-        system.stiffness.add(dofs, stiffness);
-        add_outer_product(damping / volume, volume_gradient, cell_damping);
-        system.volumetric_damping.add(dofs, cell_damping);
+        const double J = volume / reference_volume;
+        elastic.add(-kappa * std::log(J) / J, volume_gradient);
+        const double factor = kappa / (J * volume);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            stiffness(i, j) += factor * volume_gradient[i] * volume_gradient[j];
       }
+
+      void distribute(const std::vector<types::global_dof_index> &dofs, const bool with_stiffness,
+                      ElasticSystem &system) const
+      {
+        system.elastic_force.add(dofs, elastic);
+        system.active_force.add(dofs, active);
+        if (with_stiffness)
+          system.stiffness.add(dofs, stiffness);
+      }
+
+    private:
+      const unsigned int        n;
+      std::vector<unsigned int> component, node;
+      Vector<double>            elastic, active, volume_gradient;
+      FullMatrix<double>        stiffness;
+      double                    volume = 0, reference_volume = 0;
+    };
+
+    /** kappa of the energy of the cells' volumes [Pa] in a region. */
+    template <int dim>
+    double get_volume_stabilisation(const SolidBody<dim> &body, const types::material_id region)
+    {
+      return body.get_parameters().region_parameters[region]->cell_volume_stabilisation;
+    }
+  } // namespace
+
+  void ElasticSystem::reinit(const SparsityPattern &pattern)
+  {
+    elastic_force.reinit(pattern.n_rows());
+    active_force.reinit(pattern.n_rows());
+    stiffness.reinit(pattern);
+  }
+
+  template <int dim>
+  void assemble_elastic_system(const SolidBody<dim> &body, const Vector<double> &positions,
+                               const ActiveLoad<dim> &load, const bool with_stiffness,
+                               ElasticSystem &system)
+  {
+    const auto                          &data    = body.get_quadrature_data();
+    const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    CellSystem<dim>                      cell_system(element);
+
+    system.elastic_force = 0;
+    system.active_force  = 0;
+    if (with_stiffness)
+      system.stiffness = 0;
+    for (const auto &cell : body.get_dof_handler().active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      const auto               nodes    = get_nodes<dim>(cell, dofs, positions);
+      const types::material_id region   = cell->material_id();
+      const auto              &material = body.get_stress_model(region);
+      cell_system.clear();
+      for (unsigned int q = 0; q < data.n_q; ++q)
+      {
+        const unsigned int   point     = cell->active_cell_index() * data.n_q + q;
+        const auto          &gradients = data.shape_gradients[point];
+        const double         weight    = data.weights[point];
+        const Tensor<2, dim> F         = compute_deformation_gradient(nodes, gradients);
+        AssertThrow(determinant(F) > 0, ExcInvertedElement(determinant(F)));
+
+        Tensor<2, dim> active_stress;
+        Tensor<1, dim> force;
+        if (load.stress)
+          active_stress = load.stress(data.points[point], region);
+        if (load.force_density)
+          force = load.force_density(data.points[point], region);
+        cell_system.add_forces(material.first_piola_kirchhoff_stress(F), F * active_stress, force,
+                               data.shape_values[q], gradients, weight);
+        cell_system.add_volume(F, gradients, weight);
+        if (with_stiffness)
+          cell_system.add_stiffness(material.tangent(F), active_stress, gradients, weight);
+      }
+      cell_system.add_volume_stabilisation(get_volume_stabilisation(body, region));
+      cell_system.distribute(dofs, with_stiffness, system);
     }
   }
 
@@ -159,7 +205,8 @@ namespace caudal
     for (const auto &cell : body.get_dof_handler().active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
-      const auto nodes = get_nodes<dim>(cell, dofs, positions);
+      const auto nodes       = get_nodes<dim>(cell, dofs, positions);
+      double     cell_volume = 0, reference_volume = 0;
       for (unsigned int q = 0; q < data.n_q; ++q)
       {
         const unsigned int   point = cell->active_cell_index() * data.n_q + q;
@@ -167,11 +214,16 @@ namespace caudal
         const double         J = determinant(F);
         summary.smallest_jacobian = std::min(summary.smallest_jacobian, J);
         summary.largest_jacobian  = std::max(summary.largest_jacobian, J);
-        volume += data.weights[point] * J;
+        cell_volume += data.weights[point] * J;
+        reference_volume += data.weights[point];
         AssertThrow(J > 0, ExcInvertedElement(J));
         summary.elastic_energy +=
             data.weights[point] * body.get_stress_model(cell->material_id()).strain_energy(F);
       }
+      volume += cell_volume;
+      const double log_J = std::log(cell_volume / reference_volume);
+      summary.elastic_energy += 0.5 * get_volume_stabilisation(body, cell->material_id()) *
+                                reference_volume * log_J * log_J;
     }
     summary.volume_change = volume / body.get_reference_volume() - 1;
     return summary;

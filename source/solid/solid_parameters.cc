@@ -8,10 +8,11 @@ namespace caudal
   {
     material.add_parameters(prm);
     prm.add_parameter(
-        "Volumetric damping", volumetric_damping,
-        "Viscosity eta_v of the pressure eta_v dV/dt / V that resists a change of the "
-        "volume V of a cell of the body; it acts on errors only, since fluid and body "
-        "are incompressible. Semi-implicit scheme only [Pa s].");
+        "Cell volume stabilisation", cell_volume_stabilisation,
+        "Modulus kappa_v of the energy kappa_v/2 V (ln(v/V))^2 of each cell of the body, v "
+        "its volume and V that in the reference configuration. It resists the volume errors "
+        "of the interpolated motion and, other than the pointwise volumetric stabilisation, "
+        "not bending [Pa].");
     prm.add_parameter("Feedback stiffness", feedback_stiffness,
                       "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
                       "region at its initial place [N/m^4].");
@@ -25,9 +26,10 @@ namespace caudal
   void RegionParameters::check(const std::string &path) const
   {
     material.check(path);
-    AssertThrow(std::isfinite(volumetric_damping) && volumetric_damping >= 0,
-                ExcMessage(path + "/Volumetric damping: the value is " +
-                           std::to_string(volumetric_damping) + ". Give 0 or a positive number."));
+    AssertThrow(std::isfinite(cell_volume_stabilisation) && cell_volume_stabilisation >= 0,
+                ExcMessage(path + "/Cell volume stabilisation: the value is " +
+                           std::to_string(cell_volume_stabilisation) +
+                           ". Give 0 or a positive number."));
     AssertThrow(std::isfinite(feedback_stiffness) && feedback_stiffness >= 0,
                 ExcMessage(path + "/Feedback stiffness: the value is " +
                            std::to_string(feedback_stiffness) + ". Give 0 or a positive number."));

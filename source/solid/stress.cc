@@ -176,7 +176,11 @@ namespace caudal
       const double lambda;
     };
 
-    /** Any other material plus kappa/2 (ln J)^2. */
+    /**
+     * Any other material plus kappa/2 (ln J)^2. The tangent is that of the
+     * linearised ln J, kappa F^-T F^-T: what it leaves out is indefinite and
+     * inverted cells in which ln J had become large.
+     */
     template <int dim>
     class VolumetricallyStabilised : public StressModel<dim>
     {
@@ -200,10 +204,9 @@ namespace caudal
 
       Tensor<4, dim> tangent(const Tensor<2, dim> &F) const override
       {
-        const Tensor<2, dim> G     = inverse_transpose(F);
-        const double         log_J = std::log(positive_determinant(F));
+        const Tensor<2, dim> G = inverse_transpose(F);
         return material->tangent(F) + make_tangent<dim>([&](auto i, auto J, auto k, auto L) {
-                 return kappa * (G[i][J] * G[k][L] - log_J * G[k][J] * G[i][L]);
+                 return kappa * G[i][J] * G[k][L];
                });
       }
 

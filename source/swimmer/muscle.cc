@@ -1,3 +1,4 @@
+#include <caudal/base/expression.h>
 #include <caudal/base/factory.h>
 #include <caudal/swimmer/body_function.h>
 #include <caudal/swimmer/force_table.h>
@@ -277,6 +278,64 @@ namespace caudal
     };
 
     template <int dim>
+    class Fibres : public Muscle<dim>
+    {
+    public:
+      Fibres(const MuscleParameters &p, const double, const RegionIds &region_ids)
+          : parameters(p.fibres)
+          , ramp(p.ramp)
+          , part(p.regions, region_ids)
+          , tension(make_expression<dim>(tension_path, parameters.tension, 1))
+          , direction(make_expression<dim>(direction_path, parameters.direction, dim))
+      {}
+
+      Tensor<2, dim> active_stress(const MaterialPoint<dim> &point,
+                                   const double              time) const override
+      {
+        if (!part.contains(point.region))
+          return Tensor<2, dim>();
+        tension->set_time(time);
+        check_finite(tension_path, parameters.tension, *tension, point.s);
+        check_finite(direction_path, parameters.direction, *direction, point.s);
+        Tensor<1, dim> a;
+        for (unsigned int d = 0; d < dim; ++d)
+          a[d] = direction->value(point.s, d);
+        std::ostringstream place;
+        place << point.s;
+        AssertThrow(a.norm() > 0.,
+                    ExcMessage(std::string(direction_path) + ": <" + parameters.direction +
+                               "> vanishes at (" + place.str() +
+                               "). Give a direction for each point of the body."));
+        return outer_product(a, a) *
+               (tension->value(point.s) * activation_at(time) / a.norm_square());
+      }
+
+      bool has_active_stress() const override
+      {
+        return true;
+      }
+
+      double activation() const override
+      {
+        return activation_at(this->step_begin + 0.5 * this->step);
+      }
+
+    private:
+      double activation_at(const double time) const
+      {
+        return ramp.value(time) * (this->command.gain + this->command.bias);
+      }
+
+      static constexpr auto tension_path   = "Muscle/Fibres/Tension";
+      static constexpr auto direction_path = "Muscle/Fibres/Direction";
+
+      const FibreParameters                      parameters;
+      const StartUpRamp                          ramp;
+      const ActivePart                           part;
+      const std::unique_ptr<FunctionParser<dim>> tension, direction;
+    };
+
+    template <int dim>
     using MuscleFactory =
         Factory<Muscle<dim>, const MuscleParameters &, const double, const RegionIds &>;
 
@@ -293,6 +352,7 @@ namespace caudal
                                  const RegionIds &) { return std::make_unique<Muscle<dim>>(); }},
                      {"bang-bang", make<BangBang<dim>>},
                      {"travelling wave", make<TravellingWave<dim>>},
+                     {"fibres", make<Fibres<dim>>},
                      {"table", make<Table<dim>>}});
       return factory;
     }

@@ -77,6 +77,21 @@ namespace caudal
       function.value(s, 0.);
   }
 
+  void FibreParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Fibres");
+    prm.add_parameter(
+        "Tension", tension,
+        "Active stress T along the fibres, of the second Piola-Kirchhoff tensor [Pa]: "
+        "a function of the place x, y (and z) in the body's own frame [m] and of the "
+        "time t [s].");
+    prm.add_parameter("Direction", direction,
+                      "Direction of the fibres in the reference configuration, of any length: "
+                      "components separated by ';', functions of x, y (and z); '-y; x' is "
+                      "circumferential.");
+    prm.leave_subsection();
+  }
+
   void TableParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Table");
@@ -101,8 +116,8 @@ namespace caudal
     prm.enter_subsection("Muscle");
     prm.add_parameter("Type", type,
                       "'bang-bang' is a lateral force that reverses when the tail has reached a "
-                      "position; 'travelling wave' an active stress; 'table' a lateral force "
-                      "from a file; 'none' is passive.",
+                      "position; 'travelling wave' an active stress; 'fibres' one along given "
+                      "lines; 'table' a lateral force from a file; 'none' is passive.",
                       Patterns::Selection(get_muscle_names()));
     prm.add_parameter("Regions", regions,
                       "Regions of the body in which the muscle acts, separated by commas; empty "
@@ -118,6 +133,7 @@ namespace caudal
                       "midline, both over the body length.");
     bang_bang.add_parameters(prm);
     travelling_wave.add_parameters(prm);
+    fibres.add_parameters(prm);
     table.add_parameters(prm);
     prm.leave_subsection();
   }

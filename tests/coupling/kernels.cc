@@ -1,11 +1,15 @@
 // Which moment conditions each kernel has on a lattice of spacing 1, for any
 // position r: the zeroth and first one, the even-odd condition of Peskin (2002)
 // (both halves of a chequered lattice weigh 1/2) and the sum of squares.
+// Weights along a line: they are those of a convolution, so that interpolation
+// and differentiation commute, which is what makes it preserve volume.
 
 #include <caudal/coupling/kernel.h>
+#include <caudal/coupling/line_weights.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -61,6 +65,47 @@ void check(const std::string &name, const DeltaKernel &kernel)
             << std::setw(9) << phi(0.) << std::endl;
 }
 
+// A continuous, piecewise quadratic function: its value at node @p n (two to a cell),
+// and its slope at node @p i of the three of @p cell.
+double value(const int n)
+{
+  return std::sin(0.7 * n) + 0.3 * std::cos(2.1 * n);
+}
+
+double slope(const int cell, const unsigned int i)
+{
+  const double a = value(2 * cell), b = value(2 * cell + 1), c = value(2 * cell + 2);
+  return std::array<double, 3>{{-3 * a + 4 * b - c, c - a, a - 4 * b + 3 * c}}[i];
+}
+
+void check_convolution(const std::string &name, const DeltaKernel &kernel)
+{
+  const auto interpolate = [&](const double x, const auto &function) {
+    const LineWeights weights(x, &kernel);
+    double            sum = 0.;
+    for (unsigned int c = 0; c < weights.cells.size(); ++c)
+      for (unsigned int i = 0; i < 3; ++i)
+        sum += weights.cells[c][i] * function(weights.first_cell + static_cast<int>(c), i);
+    return sum;
+  };
+  const auto values = [](const int cell, const unsigned int i) { return value(2 * cell + i); };
+  double     worst = 0., linear = 0.;
+  for (double x = -2.; x < 2.; x += 0.0137)
+  {
+    const double step = 1e-4;
+    const double differences =
+        (interpolate(x + step, values) - interpolate(x - step, values)) / (2. * step);
+    worst  = std::max(worst, std::abs(differences - interpolate(x, slope)));
+    linear = std::max(linear,
+                      std::abs(interpolate(x, [](const int          cell,
+                                                 const unsigned int i) { return cell + 0.5 * i; }) -
+                               x));
+  }
+  std::cout << std::left << std::setw(30) << name << std::right
+            << (worst < 1e-4 ? "  yes" : "   no") << (linear < 1e-6 ? "  yes" : "   no")
+            << std::endl;
+}
+
 int main()
 {
   std::cout << "kernel, radius, zeroth moment, first moment, even-odd, constant sum of squares "
@@ -90,6 +135,12 @@ int main()
                 << std::endl;
     }
   }
+
+  std::cout << "convolution: commutes with differentiation, reproduces linear functions"
+            << std::endl;
+  for (const auto &name : dealii::Utilities::split_string_list(get_kernel_names(), '|'))
+    if (const KernelPair pair = create_kernel(name); pair.isotropic && !pair.is_dirac)
+      check_convolution(name, pair.get(0, 1));
 
   try
   {

@@ -26,7 +26,6 @@ namespace
       parameters.polynomial_degree      = 2;
       MaterialParameters &front         = parameters.region_parameters[0]->material;
       front.youngs_modulus              = 3;
-      front.volumetric_stabilisation    = 5;
       MaterialParameters &back          = parameters.region_parameters[1]->material;
       back.material                     = "St. Venant-Kirchhoff";
       back.shear_modulus                = 2;
@@ -162,6 +161,52 @@ namespace
               << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << '\n';
   }
 
+  /** The stabilisation of the cells' volumes: its force, energy and stiffness alone. */
+  template <int dim>
+  void test_volume_stabilisation()
+  {
+    Setup<dim> setup;
+    for (auto &region : setup.parameters.region_parameters)
+    {
+      region->cell_volume_stabilisation         = 7;
+      region->material.material                 = "none";
+      region->material.volumetric_stabilisation = 0;
+    }
+    const SolidBody<dim> body(setup.parameters, 1.);
+    const auto           stretch = [&](const double factor) {
+      return setup.map([&](const Tensor<1, dim> &old) {
+        Tensor<1, dim> place = old;
+        place[0] *= factor;
+        place[1] += 0.1 * std::sin(3 * old[0]);
+        return place;
+      });
+    };
+    const double         J = 1.2, step = 1e-5;
+    const Vector<double> x = stretch(J);
+    assemble_elastic_system(body, x, {}, true, setup.system);
+    const auto summary         = summarise_deformation(body, x);
+    const auto [force, moment] = setup.get_resultant(setup.system.elastic_force, x);
+    Vector<double> direction   = stretch(J + step);
+    direction -= stretch(J - step);
+    const double slope = (summarise_deformation(body, stretch(J + step)).elastic_energy -
+                          summarise_deformation(body, stretch(J - step)).elastic_energy);
+    std::cout << "  volumes of cells: energy "
+              << summary.elastic_energy /
+                     (3.5 * body.get_reference_volume() * std::log(J) * std::log(J))
+              << " of kappa/2 V (ln J)^2, in balance " << (force < 1e-13) << (moment < 1e-13)
+              << ", force is its slope "
+              << (std::abs(setup.system.elastic_force * direction + slope) < 1e-9 * std::abs(slope))
+              << ", no force on a shear "
+              << (assemble_elastic_system(body, stretch(1), {}, true, setup.system),
+                  setup.system.elastic_force.linfty_norm() < 1e-3)
+              << '\n';
+    Vector<double> any(body.n_dofs());
+    for (unsigned int i = 0; i < any.size(); ++i)
+      any[i] = std::sin(1 + i * i);
+    std::cout << "  its stiffness is positive "
+              << (setup.system.stiffness.matrix_norm_square(any) > 0) << '\n';
+  }
+
   template <int dim>
   void test()
   {
@@ -169,6 +214,7 @@ namespace
     Setup<dim> setup;
     test_rigid_motion(setup);
     test_deformation(setup);
+    test_volume_stabilisation<dim>();
     try
     {
       const Vector<double> x = setup.map([](const Tensor<1, dim> &old) {

@@ -1,5 +1,5 @@
 // Muscles: when the bang-bang muscle switches, and that neither the step size
-// nor a rejected step changes its impulse; values of the wave and of the table,
+// nor a rejected step changes its impulse; values of wave, fibres and table,
 // in the middle of their periods and at their edges; controllers; bad input.
 
 #include <caudal/swimmer/force_table.h>
@@ -148,6 +148,29 @@ void test_travelling_wave()
             << std::endl;
 }
 
+void test_fibres()
+{
+  MuscleParameters parameters;
+  parameters.type             = "fibres";
+  parameters.regions          = {"wall"};
+  parameters.fibres.tension   = "5*x*t";
+  parameters.fibres.direction = "-y; x";
+  const auto         muscle   = create_muscle<2>(parameters, 1., {{"wall", 3}});
+  const Point<2>     s(0.4, 0.3);
+  const Tensor<2, 2> stress = muscle->active_stress({s, 3}, 2.);
+  // 5*0.4*2 Pa along (-0.6, 0.8)
+  std::cout << "Fibres: " << stress << ", outside their region "
+            << muscle->active_stress({s, 0}, 2.).norm() << std::endl;
+  try
+  {
+    muscle->active_stress({Point<2>(), 3}, 1.);
+  }
+  catch (const ExceptionBase &exception)
+  {
+    exception.print_info(std::cout);
+  }
+}
+
 void write(const std::string &text)
 {
   std::ofstream("muscle_table.txt") << text;
@@ -256,6 +279,7 @@ int main()
 
   test_bang_bang();
   test_travelling_wave();
+  test_fibres();
   test_table();
   test_controllers();
   test_bad_parameters();

@@ -59,13 +59,13 @@ namespace caudal
     EnergyLedger                             ledger;
     FlowSummary<dim>                         flow;
     double                                   last_dissipation = 0; // [W/m]
-    double                                   flow_dissipation = 0; // since the start [J/m]
     unsigned int                             n_field_outputs  = 0;
     double                                   last_field_time  = -1;
 
     void update_ledger(double step);
     void write_statistics(const TimeStepper &stepper, const StepResult &result,
                           unsigned int n_cells);
+    void set_probe_statistics();
     void set_body_statistics(const SwimmingBody<dim> &body);
     void write_fluid(double time);
     void write_body(const SwimmingBody<dim> &body, double time);

@@ -112,7 +112,7 @@ namespace caudal
     DeformationSummary deformation;
 
     // Since the start [J/m in 2D]
-    double muscle_work = 0, feedback_work = 0, damping_work = 0;
+    double muscle_work = 0, feedback_work = 0;
     double muscle_power = 0; // of the last step [W/m in 2D]
     /** |Phi.(M_s U) - f.u| relative to the larger of the sums of their moduli, in the last step. */
     double power_identity = 0;

@@ -24,10 +24,9 @@ namespace caudal
 
   /**
    * The interaction of a body with the fluid,
-   *   G_ai = sum_r N_a(s_r) w_r sum_q delta_h(x_q - X(s_r)) w_q phi_i(x_q),
-   * with the body's quadrature points s_r and the lattice x_q of midpoints of
-   * the fluid's half cells, on which the kernel's discrete moment conditions
-   * hold. With the kernel `dirac` the inner sum is phi_i(X(s_r)), the
+   *   G_ai = sum_r N_a(s_r) w_r int delta_h(x - X(s_r)) phi_i(x) dx,
+   * with the body's quadrature points s_r and exact integrals over the fluid (see
+   * LineWeights). With the kernel `dirac` the integral is phi_i(X(s_r)), the
    * variational limit (Boffi et al. 2008, doi:10.1016/j.cma.2007.09.015).
    * Interpolation, M_s U = G u, and spreading, f = G^T Phi, are adjoint to
    * each other, so that Phi.(M_s U) = f.u: no power is lost between the two

@@ -25,6 +25,13 @@ namespace caudal
 
     /** Half the width of the support, in lattice spacings h. */
     virtual double radius() const = 0;
+
+    /**
+     * Gauss points that integrate the product with a quadratic function to
+     * round-off within each interval [k - radius(), k + 1 - radius()], between the
+     * knots, where the kernel is smooth.
+     */
+    virtual unsigned int n_quadrature_points() const = 0;
   };
 
   /**

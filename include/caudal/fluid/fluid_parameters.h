@@ -2,6 +2,7 @@
 #define caudal_fluid_fluid_parameters_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
 
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ namespace caudal
     std::string body_force;
     std::string exact_solution;
 
+    std::vector<Point<dim>>  probes;
     std::vector<std::string> boundary_names = std::vector<std::string>(2 * dim, "wall");
 
     FluidParameters();

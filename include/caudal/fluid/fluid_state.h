@@ -46,6 +46,22 @@ namespace caudal
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
 
+  /** Velocity [m/s] and pressure [Pa] at a point. */
+  template <int dim>
+  struct ProbeValues
+  {
+    Tensor<1, dim> velocity;
+    double         pressure = 0;
+  };
+
+  /**
+   * Velocity and pressure at @p point; the pressure, which jumps from cell to cell,
+   * is the mean of those of all cells that meet there. Collective.
+   */
+  template <int dim>
+  ProbeValues<dim> evaluate_at(const FluidSpace<dim> &space, const FluidState<dim> &state,
+                               const Point<dim> &point);
+
   /** Largest h |vorticity| of each active cell of this rank, h the cell's edge [m/s]. */
   template <int dim>
   Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,

@@ -24,24 +24,19 @@ namespace caudal
     Vector<double> elastic_force;
     /** int f.N ds - int F S_a : grad N ds */
     Vector<double> active_force;
-    /** K = -d(elastic_force + active_force)/dX */
+    /** K = -d(elastic_force + active_force)/dX, without what is indefinite in the cells' volumes */
     SparseMatrix<double> stiffness;
-    /**
-     * D_ij = sum over the cells of eta_v/V dV/dX_i dV/dX_j, V being a cell's volume,
-     * and a small part of the same at each quadrature point.
-     */
-    SparseMatrix<double> volumetric_damping;
 
     void reinit(const SparsityPattern &pattern);
   };
 
   /**
-   * Assembles @p system at the nodal @p positions; the matrices only if
-   * @p with_matrices. Throws ExcInvertedElement if det F <= 0 somewhere.
+   * Assembles @p system at the nodal @p positions; the stiffness only if
+   * @p with_stiffness. Throws ExcInvertedElement if det F <= 0 somewhere.
    */
   template <int dim>
   void assemble_elastic_system(const SolidBody<dim> &body, const Vector<double> &positions,
-                               const ActiveLoad<dim> &load, bool with_matrices,
+                               const ActiveLoad<dim> &load, bool with_stiffness,
                                ElasticSystem &system);
 
   /** Integral quantities of a deformed body. */

@@ -12,10 +12,10 @@ namespace caudal
   struct RegionParameters
   {
     MaterialParameters material;
-    double             volumetric_damping  = 0;
-    double             feedback_stiffness  = 0;
-    double             feedback_damping    = 0;
-    std::string        feedback_directions = "xyz";
+    double             cell_volume_stabilisation = 0;
+    double             feedback_stiffness        = 0;
+    double             feedback_damping          = 0;
+    std::string        feedback_directions       = "xyz";
 
     void add_parameters(ParameterHandler &prm);
     void check(const std::string &path) const;

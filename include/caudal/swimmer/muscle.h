@@ -113,6 +113,21 @@ namespace caudal
     void check(const std::string &path) const;
   };
 
+  /**
+   * Fibres under a tension that the .prm gives, S_a = T a a^T, P_a = T F a a^T,
+   * with T and the direction a, which is normalised, functions of the place in
+   * the reference shape. With a constant T it is a passive, anisotropic
+   * material, such as the wall of the ring of Boffi, Gastaldi, Heltai & Peskin
+   * (2008, doi:10.1016/j.cma.2007.09.015).
+   */
+  struct FibreParameters
+  {
+    std::string tension   = "1e5";
+    std::string direction = "1; 0";
+
+    void add_parameters(ParameterHandler &prm);
+  };
+
   /** Lateral force densities from a file, see ForceTable, times g(s,y). */
   struct TableParameters
   {
@@ -123,7 +138,7 @@ namespace caudal
     void check(const std::string &path) const;
   };
 
-  /** Section `Muscle` of a body: type `none`, `bang-bang`, `travelling wave` or `table`. */
+  /** Section `Muscle` of a body: see get_muscle_names() for its types. */
   struct MuscleParameters
   {
     std::string              type = "none";
@@ -134,6 +149,7 @@ namespace caudal
 
     BangBangParameters       bang_bang;
     TravellingWaveParameters travelling_wave;
+    FibreParameters          fibres;
     TableParameters          table;
 
     /** Declares the section in the one that @p prm is in. */
