@@ -1,5 +1,4 @@
 #include <caudal/coupling/interaction_operator.h>
-#include <caudal/coupling/line_weights.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -42,10 +41,12 @@ namespace caudal
   class InteractionOperator<dim>::Assembler
   {
   public:
-    Assembler(const KernelPair &kernel, const FinestCells<dim> &finest_cells,
-              const DoFHandler<dim> &velocity_dofs, const AffineConstraints<double> &constraints,
-              const DoFHandler<dim> &body_dofs)
+    Assembler(const KernelPair &kernel, const LineTable &along, const LineTable &across,
+              const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
+              const AffineConstraints<double> &constraints, const DoFHandler<dim> &body_dofs)
         : kernel(kernel)
+        , along(along)
+        , across(across)
         , finest_cells(finest_cells)
         , velocity_dofs(velocity_dofs)
         , constraints(constraints)
@@ -76,8 +77,8 @@ namespace caudal
         unsigned int             n_cells = 1;
         for (unsigned int d = 0; d < dim; ++d)
         {
-          lines.emplace_back((point[d] - origin[d]) / cell_size[d],
-                             kernel.is_dirac ? nullptr : &kernel.get(k, d));
+          lines.push_back(
+              (k == d ? along : across).evaluate((point[d] - origin[d]) / cell_size[d]));
           n_cells *= lines[d].cells.size();
         }
         for (unsigned int c = 0; c < n_cells; ++c)
@@ -90,7 +91,7 @@ namespace caudal
             const unsigned int position = rest % lines[d].cells.size();
             coordinates[d]              = lines[d].first_cell + position;
             factors[d]                  = &lines[d].cells[position];
-            total *= lines[d].totals[position];
+            total *= lines[d].get_total(position);
           }
           if (total == 0)
             continue;
@@ -153,6 +154,7 @@ namespace caudal
     };
 
     const KernelPair                    &kernel;
+    const LineTable                     &along, &across;
     const FinestCells<dim>              &finest_cells;
     const DoFHandler<dim>               &velocity_dofs;
     const AffineConstraints<double>     &constraints;
@@ -200,6 +202,8 @@ namespace caudal
                                                 MPI_Comm                  communicator)
       : parameters(parameters)
       , kernel(create_kernel(parameters.kernel))
+      , along(kernel.is_dirac ? nullptr : kernel.along.get())
+      , across(kernel.is_dirac ? nullptr : kernel.across.get())
       , communicator(communicator)
   {}
 
@@ -278,11 +282,11 @@ namespace caudal
     const double              spacing =
         0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
-    Assembler               assembler(kernel, finest_cells, velocity_dofs, constraints, body_dofs);
-    std::vector<double>     seen, shape(n_body / dim);
-    std::vector<Point<dim>> points;
-    std::vector<types::global_dof_index>                                    body_indices(n_body);
-    Vector<double>                                                          cell_positions(n_body);
+    Assembler assembler(kernel, along, across, finest_cells, velocity_dofs, constraints, body_dofs);
+    std::vector<double>                  seen, shape(n_body / dim);
+    std::vector<Point<dim>>              points;
+    std::vector<types::global_dof_index> body_indices(n_body);
+    Vector<double>                       cell_positions(n_body);
     std::map<std::array<unsigned int, dim>, std::unique_ptr<FEValues<dim>>> all_values;
 
     for (const auto &cell : body_dofs.active_cell_iterators())

@@ -80,9 +80,14 @@ double slope(const int cell, const unsigned int i)
 
 void check_convolution(const std::string &name, const DeltaKernel &kernel)
 {
-  const auto interpolate = [&](const double x, const auto &function) {
-    const LineWeights weights(x, &kernel);
-    double            sum = 0.;
+  const LineTable table(&kernel);
+  double          table_error = 0.;
+  const auto      interpolate = [&](const double x, const auto &function) {
+    const LineWeights weights = table.evaluate(x), exact = integrate_line_weights(x, kernel);
+    for (unsigned int c = 0; c < weights.cells.size(); ++c)
+      for (unsigned int i = 0; i < 3; ++i)
+        table_error = std::max(table_error, std::abs(weights.cells[c][i] - exact.cells[c][i]));
+    double sum = 0.;
     for (unsigned int c = 0; c < weights.cells.size(); ++c)
       for (unsigned int i = 0; i < 3; ++i)
         sum += weights.cells[c][i] * function(weights.first_cell + static_cast<int>(c), i);

@@ -2,7 +2,7 @@
 #define caudal_coupling_interaction_operator_h
 
 #include <caudal/base/types.h>
-#include <caudal/coupling/kernel.h>
+#include <caudal/coupling/line_weights.h>
 #include <caudal/mesh/cell_lattice.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -26,7 +26,7 @@ namespace caudal
    * The interaction of a body with the fluid,
    *   G_ai = sum_r N_a(s_r) w_r int delta_h(x - X(s_r)) phi_i(x) dx,
    * with the body's quadrature points s_r and exact integrals over the fluid (see
-   * LineWeights). With the kernel `dirac` the integral is phi_i(X(s_r)), the
+   * integrate_line_weights()). With the kernel `dirac` the integral is phi_i(X(s_r)), the
    * variational limit (Boffi et al. 2008, doi:10.1016/j.cma.2007.09.015).
    * Interpolation, M_s U = G u, and spreading, f = G^T Phi, are adjoint to
    * each other, so that Phi.(M_s U) = f.u: no power is lost between the two
@@ -80,6 +80,7 @@ namespace caudal
   private:
     const CouplingParameters &parameters;
     const KernelPair          kernel;
+    const LineTable           along, across;
     MPI_Comm                  communicator;
 
     // Compressed rows: global columns, and the same as indices into a ghosted vector.
