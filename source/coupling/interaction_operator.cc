@@ -339,6 +339,15 @@ namespace caudal
     for (std::size_t k = 0; k < n_loose; ++k)
       order[next[assembler.rows[k]]++] = k;
 
+    // A chain of hanging nodes can lead to unknowns that this rank does not know.
+    const bool all_known =
+        std::all_of(assembler.columns.begin(), assembler.columns.end(), [&](const auto column) {
+          return partitioner->in_local_range(column) || partitioner->is_ghost_entry(column);
+        });
+    AssertThrow(Utilities::MPI::min(static_cast<int>(all_known), communicator) == 1,
+                ExcMessage("Refinement/Body margin: the kernel of a body reaches cells that "
+                           "depend on two coarser levels. Increase the margin."));
+
     const unsigned int n_local = partitioner->locally_owned_size() + partitioner->n_ghost_indices();
     std::vector<std::size_t> place(n_local, 0); // 1 + position of a column in its row
     row_start.assign(1, 0);
