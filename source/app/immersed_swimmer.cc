@@ -35,17 +35,37 @@ namespace caudal
     for (const auto &body : parameters.bodies)
       bodies.push_back(std::make_unique<SwimmingBody<dim>>(*body, parameters.coupling,
                                                            parameters.fluid.density, communicator));
+    check_probes();
     check_bodies();
     adaptation.make_initial_grid();
     start_bodies();
   }
 
   template <int dim>
+  BoundingBox<dim> ImmersedSwimmer<dim>::get_domain() const
+  {
+    const Point<dim> &lower = parameters.domain.lower_corner;
+    const Point<dim>  upper = lower + parameters.domain.size;
+    return BoundingBox<dim>({lower, upper});
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::check_probes() const
+  {
+    for (const Point<dim> &probe : parameters.fluid.probes)
+    {
+      std::ostringstream place;
+      place << "(" << probe << ")";
+      AssertThrow(get_domain().point_inside(probe),
+                  ExcMessage("Fluid/Probes: the point " + place.str() +
+                             " is outside of the domain. Move it, or change Domain/Size."));
+    }
+  }
+
+  template <int dim>
   void ImmersedSwimmer<dim>::check_bodies() const
   {
-    const Point<dim>      &lower = parameters.domain.lower_corner;
-    const Point<dim>       upper = lower + parameters.domain.size;
-    const BoundingBox<dim> domain({lower, upper});
+    const BoundingBox<dim> domain = get_domain();
     for (const auto &body : bodies)
       for (const auto &node : body->solid.get_nodes())
       {

@@ -73,12 +73,11 @@ namespace caudal
       double seen = 0;
       for (unsigned int k = 0; k < n_kernels; ++k)
       {
-        std::vector<LineWeights> lines;
-        unsigned int             n_cells = 1;
+        std::array<LineWeights, dim> lines;
+        unsigned int                 n_cells = 1;
         for (unsigned int d = 0; d < dim; ++d)
         {
-          lines.push_back(
-              (k == d ? along : across).evaluate((point[d] - origin[d]) / cell_size[d]));
+          lines[d] = (k == d ? along : across).evaluate((point[d] - origin[d]) / cell_size[d]);
           n_cells *= lines[d].cells.size();
         }
         for (unsigned int c = 0; c < n_cells; ++c)
@@ -93,7 +92,7 @@ namespace caudal
             factors[d]                  = &lines[d].cells[position];
             total *= lines[d].get_total(position);
           }
-          if (total == 0)
+          if (std::abs(total) < 1e-14) // the kernel only touches this cell
             continue;
           Block &block = find_block(coordinates);
           if (block.cell == nullptr)
@@ -202,8 +201,8 @@ namespace caudal
                                                 MPI_Comm                  communicator)
       : parameters(parameters)
       , kernel(create_kernel(parameters.kernel))
-      , along(kernel.is_dirac ? nullptr : kernel.along.get())
-      , across(kernel.is_dirac ? nullptr : kernel.across.get())
+      , along(kernel.along.get())
+      , across(kernel.across.get())
       , communicator(communicator)
   {}
 
@@ -322,12 +321,13 @@ namespace caudal
     partitioner   = velocity_layout.get_partitioner();
     inhomogeneity = assembler.get_inhomogeneity();
     Utilities::MPI::sum(inhomogeneity, communicator, inhomogeneity);
-    compress(assembler, body_dofs.n_dofs());
+    compress(assembler, body_dofs.n_dofs(), name);
     return points.size();
   }
 
   template <int dim>
-  void InteractionOperator<dim>::compress(const Assembler &assembler, const unsigned int n_rows)
+  void InteractionOperator<dim>::compress(const Assembler &assembler, const unsigned int n_rows,
+                                          const std::string &name)
   {
     // Sort by rows (counting sort), then add up equal columns of each row.
     const std::size_t        n_loose = assembler.rows.size();
@@ -345,8 +345,9 @@ namespace caudal
           return partitioner->in_local_range(column) || partitioner->is_ghost_entry(column);
         });
     AssertThrow(Utilities::MPI::min(static_cast<int>(all_known), communicator) == 1,
-                ExcMessage("Refinement/Body margin: the kernel of a body reaches cells that "
-                           "depend on two coarser levels. Increase the margin."));
+                ExcMessage("Refinement/Body margin: the kernel of body " + name +
+                           " reaches cells that depend on two coarser levels. Increase the "
+                           "margin."));
 
     const unsigned int n_local = partitioner->locally_owned_size() + partitioner->n_ghost_indices();
     std::vector<std::size_t> place(n_local, 0); // 1 + position of a column in its row

@@ -15,9 +15,9 @@ namespace caudal
   template <int dim>
   void FluidState<dim>::reinit(const FluidSpace<dim> &space)
   {
-    copy_with_layout(space.make_velocity_vector(), velocity);
-    copy_with_layout(space.make_velocity_vector(), old_velocity);
-    copy_with_layout(space.make_pressure_vector(), pressure);
+    velocity.reinit(space.make_velocity_vector());
+    old_velocity.reinit(velocity);
+    pressure.reinit(space.make_pressure_vector());
   }
 
   template <int dim>
@@ -174,10 +174,7 @@ namespace caudal
       }
     MPI_Comm communicator = space.get_communicator();
     n_cells               = Utilities::MPI::sum(n_cells, communicator);
-    std::ostringstream text;
-    text << point;
-    AssertThrow(n_cells > 0, ExcMessage("Fluid/Probes: the point (" + text.str() +
-                                        ") lies outside of the domain. Move it."));
+    Assert(n_cells > 0, ExcMessage("The point is outside of the domain."));
     ProbeValues<dim> mean;
     mean.velocity = Utilities::MPI::sum(sum.velocity, communicator) / n_cells;
     mean.pressure = Utilities::MPI::sum(sum.pressure, communicator) / n_cells;

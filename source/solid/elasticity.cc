@@ -105,10 +105,12 @@ namespace caudal
        * the cell, V in the reference configuration. The stiffness is that of the
        * linearised ln(v/V), which is positive semi-definite.
        */
-      void add_volume_stabilisation(const double kappa)
+      void add_volume_stabilisation(const double kappa, const bool with_stiffness)
       {
         const double J = volume / reference_volume;
         elastic.add(-kappa * std::log(J) / J, volume_gradient);
+        if (!with_stiffness)
+          return;
         const double factor = kappa / (J * volume);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
@@ -167,6 +169,7 @@ namespace caudal
       const auto               nodes    = get_nodes<dim>(cell, dofs, positions);
       const types::material_id region   = cell->material_id();
       const auto              &material = body.get_stress_model(region);
+      const double             kappa    = get_volume_stabilisation(body, region);
       cell_system.clear();
       for (unsigned int q = 0; q < data.n_q; ++q)
       {
@@ -184,11 +187,13 @@ namespace caudal
           force = load.force_density(data.points[point], region);
         cell_system.add_forces(material.first_piola_kirchhoff_stress(F), F * active_stress, force,
                                data.shape_values[q], gradients, weight);
-        cell_system.add_volume(F, gradients, weight);
+        if (kappa > 0)
+          cell_system.add_volume(F, gradients, weight);
         if (with_stiffness)
           cell_system.add_stiffness(material.tangent(F), active_stress, gradients, weight);
       }
-      cell_system.add_volume_stabilisation(get_volume_stabilisation(body, region));
+      if (kappa > 0)
+        cell_system.add_volume_stabilisation(kappa, with_stiffness);
       cell_system.distribute(dofs, with_stiffness, system);
     }
   }
@@ -244,16 +249,22 @@ namespace caudal
     {
       cell->get_dof_indices(dofs);
       const auto     nodes = get_nodes<dim>(cell, dofs, positions);
-      double         J     = 0;
+      double         J = 0, volume = 0, reference_volume = 0;
       Tensor<2, dim> stress;
       for (unsigned int q = 0; q < data.n_q; ++q)
       {
-        const Tensor<2, dim> F = compute_deformation_gradient(
-            nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]);
+        const unsigned int   point = cell->active_cell_index() * data.n_q + q;
+        const Tensor<2, dim> F = compute_deformation_gradient(nodes, data.shape_gradients[point]);
         J += determinant(F) / data.n_q;
+        volume += data.weights[point] * determinant(F);
+        reference_volume += data.weights[point];
         stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
                   transpose(F) / determinant(F) / data.n_q;
       }
+      const double pressure = -get_volume_stabilisation(body, cell->material_id()) *
+                              reference_volume / volume * std::log(volume / reference_volume);
+      for (unsigned int d = 0; d < dim; ++d)
+        stress[d][d] -= pressure;
       result.jacobian[cell->active_cell_index()] = J;
       result.region[cell->active_cell_index()]   = cell->material_id();
       for (unsigned int i = 0; i < dim; ++i)

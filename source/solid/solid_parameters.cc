@@ -11,8 +11,8 @@ namespace caudal
         "Cell volume stabilisation", cell_volume_stabilisation,
         "Modulus kappa_v of the energy kappa_v/2 V (ln(v/V))^2 of each cell of the body, v "
         "its volume and V that in the reference configuration. It resists the volume errors "
-        "of the interpolated motion and, other than the pointwise volumetric stabilisation, "
-        "not bending [Pa].");
+        "of the interpolated motion and, unlike the pointwise volumetric stabilisation, does "
+        "not resist bending [Pa].");
     prm.add_parameter("Feedback stiffness", feedback_stiffness,
                       "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
                       "region at its initial place [N/m^4].");

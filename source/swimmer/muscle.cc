@@ -295,17 +295,20 @@ namespace caudal
         if (!part.contains(point.region))
           return Tensor<2, dim>();
         tension->set_time(time);
+        direction->set_time(time);
         check_finite(tension_path, parameters.tension, *tension, point.s);
         check_finite(direction_path, parameters.direction, *direction, point.s);
         Tensor<1, dim> a;
         for (unsigned int d = 0; d < dim; ++d)
           a[d] = direction->value(point.s, d);
-        std::ostringstream place;
-        place << point.s;
-        AssertThrow(a.norm() > 0.,
-                    ExcMessage(std::string(direction_path) + ": <" + parameters.direction +
-                               "> vanishes at (" + place.str() +
-                               "). Give a direction for each point of the body."));
+        if (a.norm() == 0.)
+        {
+          std::ostringstream place;
+          place << point.s;
+          throw ExcMessage(std::string(direction_path) + ": <" + parameters.direction +
+                           "> vanishes at (" + place.str() +
+                           "). Give a direction for each point of the body.");
+        }
         return outer_product(a, a) *
                (tension->value(point.s) * activation_at(time) / a.norm_square());
       }

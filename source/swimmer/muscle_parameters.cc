@@ -87,8 +87,8 @@ namespace caudal
         "time t [s].");
     prm.add_parameter("Direction", direction,
                       "Direction of the fibres in the reference configuration, of any length: "
-                      "components separated by ';', functions of x, y (and z); '-y; x' is "
-                      "circumferential.");
+                      "functions of x, y (and z) and t, one for each dimension, separated by ';'; "
+                      "'-y; x' is circumferential.");
     prm.leave_subsection();
   }
 

@@ -94,6 +94,7 @@ refuse "a kernel that reaches over the domain's side" good.prm -D "Coupling/Kern
 printf 'include good.prm\nset Bodies = fish, twin\nsubsection Body twin\n  subsection Shape\n' >two.prm
 printf '    set Type = disc\n    set Position = 2, 1.1\n  end\nend\n' >>two.prm
 refuse "overlapping bodies" two.prm
+refuse "a probe outside of the domain" good.prm -D "Fluid/Probes=1, 1; 1, 7"
 
 override "Body fish/Shape/Type" file
 refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \

@@ -188,23 +188,46 @@ namespace
     const auto [force, moment] = setup.get_resultant(setup.system.elastic_force, x);
     Vector<double> direction   = stretch(J + step);
     direction -= stretch(J - step);
-    const double slope = (summarise_deformation(body, stretch(J + step)).elastic_energy -
-                          summarise_deformation(body, stretch(J - step)).elastic_energy);
-    std::cout << "  volumes of cells: energy "
-              << summary.elastic_energy /
-                     (3.5 * body.get_reference_volume() * std::log(J) * std::log(J))
-              << " of kappa/2 V (ln J)^2, in balance " << (force < 1e-13) << (moment < 1e-13)
-              << ", force is its slope "
+    const double slope = summarise_deformation(body, stretch(J + step)).elastic_energy -
+                         summarise_deformation(body, stretch(J - step)).elastic_energy;
+    std::cout << "  volumes of cells: energy over kappa/2 V (ln J)^2 within 0.1 % "
+              << (std::abs(summary.elastic_energy /
+                               (3.5 * body.get_reference_volume() * std::pow(std::log(J), 2)) -
+                           1) < 1e-3)
+              << ", in balance " << (force < 1e-13) << (moment < 1e-13) << ", force is its slope "
               << (std::abs(setup.system.elastic_force * direction + slope) < 1e-9 * std::abs(slope))
-              << ", no force on a shear "
-              << (assemble_elastic_system(body, stretch(1), {}, true, setup.system),
-                  setup.system.elastic_force.linfty_norm() < 1e-3)
               << '\n';
-    Vector<double> any(body.n_dofs());
+
+    // The stiffness of the linearised ln(v/V) is exact where v = V, and definite elsewhere.
+    Vector<double> any(body.n_dofs()), tangent(body.n_dofs()), differences(body.n_dofs());
     for (unsigned int i = 0; i < any.size(); ++i)
       any[i] = std::sin(1 + i * i);
-    std::cout << "  its stiffness is positive "
-              << (setup.system.stiffness.matrix_norm_square(any) > 0) << '\n';
+    ElasticSystem moved;
+    moved.reinit(body.get_sparsity_pattern());
+    for (const int sign : {1, -1})
+    {
+      Vector<double> y(body.initial_positions);
+      y.add(sign * step, any);
+      assemble_elastic_system(body, y, {}, false, moved);
+      differences.add(-sign / (2 * step), moved.elastic_force);
+    }
+    assemble_elastic_system(body, body.initial_positions, {}, true, setup.system);
+    setup.system.stiffness.vmult(tangent, any);
+    differences -= tangent;
+    bool is_definite = true;
+    for (const double factor : {0.8, 1.2})
+    {
+      assemble_elastic_system(body, stretch(factor), {}, true, setup.system);
+      for (unsigned int frequency = 1; frequency < 20; ++frequency)
+      {
+        for (unsigned int i = 0; i < any.size(); ++i)
+          any[i] = std::sin(frequency * i);
+        is_definite = is_definite && setup.system.stiffness.matrix_norm_square(any) > -1e-12;
+      }
+    }
+    std::cout << "  their stiffness equals differences "
+              << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << ", is positive "
+              << is_definite << '\n';
   }
 
   template <int dim>

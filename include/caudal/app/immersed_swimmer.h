@@ -47,13 +47,15 @@ namespace caudal
     GridAdaptation<dim>                             adaptation;
     std::unique_ptr<TimeScheme<dim>>                scheme;
 
-    void       print_costs(unsigned int n_steps, std::ostream &out) const;
-    void       check_bodies() const;
-    void       start_bodies();
-    void       adapt_grid(const TimeStepper &stepper, Log &log);
-    StepResult advance(TimeStepper &stepper, Log &log);
-    void       run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
-                          const std::function<bool()> &stop_requested);
+    void             print_costs(unsigned int n_steps, std::ostream &out) const;
+    BoundingBox<dim> get_domain() const;
+    void             check_probes() const;
+    void             check_bodies() const;
+    void             start_bodies();
+    void             adapt_grid(const TimeStepper &stepper, Log &log);
+    StepResult       advance(TimeStepper &stepper, Log &log);
+    void             run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
+                                const std::function<bool()> &stop_requested);
   };
 } // namespace caudal
 

@@ -94,7 +94,7 @@ namespace caudal
     Vector<double> inhomogeneity;
 
     class Assembler;
-    void compress(const Assembler &assembler, unsigned int n_rows);
+    void compress(const Assembler &assembler, unsigned int n_rows, const std::string &name);
   };
 } // namespace caudal
 

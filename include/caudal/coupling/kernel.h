@@ -23,7 +23,10 @@ namespace caudal
     /** phi(r) [-] */
     virtual double value(const double r) const = 0;
 
-    /** Half the width of the support, in lattice spacings h. */
+    /**
+     * Half the width of the support, in lattice spacings h: a multiple of 1/2. The
+     * kernel is smooth but for knots at -radius(), -radius() + 1, ..., radius().
+     */
     virtual double radius() const = 0;
 
     /**
@@ -43,8 +46,9 @@ namespace caudal
    * sampled on a lattice shifted by h/2 in direction i (staggered, MAC) and is
    * discretely divergence free there is interpolated to one that is divergence
    * free at every point (Gruninger and Griffith, J. Comput. Phys. 546, 2025,
-   * doi:10.1016/j.jcp.2025.114472). On a lattice common to all components they
-   * have no such property.
+   * doi:10.1016/j.jcp.2025.114472). With finite elements they
+   * have no such property: the convolution of a divergence-free field is so if the
+   * kernel is the same for all components.
    *
    * `dirac` is the variational limit, delta itself: no kernel, and the finite
    * element field is evaluated at the body's points.

@@ -31,9 +31,9 @@ namespace caudal
    * The weights by numerical integration between the knots of the kernel and the
    * sides of cells, exact to round-off. Then the interpolated velocity is the
    * convolution W = delta_h * u, whose divergence delta_h * div u vanishes with
-   * that of u. Sums over the lattice of midpoints, as in finite differences, have
-   * the kernel's discrete moment conditions too, but make the volume of a bent body
-   * err twice as much.
+   * that of u, if all components share the kernel. Sums over the lattice of midpoints, as in finite
+   * differences, have the kernel's discrete moment conditions too, but make the volume of a bent
+   * body err twice as much.
    */
   LineWeights integrate_line_weights(double x, const DeltaKernel &kernel);
 

@@ -20,11 +20,14 @@ namespace caudal
   /** Force vectors tested with the body's shape functions, and their tangent. */
   struct ElasticSystem
   {
-    /** -int P : grad N ds */
+    /** -int P : grad N ds - sum over the cells of kappa_v V/v ln(v/V) dv/dX */
     Vector<double> elastic_force;
     /** int f.N ds - int F S_a : grad N ds */
     Vector<double> active_force;
-    /** K = -d(elastic_force + active_force)/dX, without what is indefinite in the cells' volumes */
+    /**
+     * K = -d(elastic_force + active_force)/dX, of the volumetric stabilisations what
+     * linearised ln J and ln(v/V) give, which is positive semi-definite.
+     */
     SparseMatrix<double> stiffness;
 
     void reinit(const SparsityPattern &pattern);
@@ -46,14 +49,15 @@ namespace caudal
     double smallest_jacobian, largest_jacobian;
     /** int J ds / int ds - 1 [1] */
     double volume_change;
-    /** int W ds [J/m in 2D] */
+    /** int W ds + sum over the cells of kappa_v/2 V (ln(v/V))^2 [J/m in 2D] */
     double elastic_energy;
   };
 
   template <int dim>
   DeformationSummary summarise_deformation(const SolidBody<dim> &body,
                                            const Vector<double> &positions);
-  /** Cell means for pictures: J, the elastic Cauchy stress P F^T / J [Pa] by component, the region.
+  /** Cell means for pictures: J, the elastic Cauchy stress [Pa] by component, P F^T / J and
+   * the pressure of the cells' volume stabilisation, and the region.
    */
   struct CellDeformation
   {

@@ -38,7 +38,9 @@ namespace caudal
     /** First Piola-Kirchhoff stress P_iJ = dW/dF_iJ [Pa]. */
     virtual Tensor<2, dim> first_piola_kirchhoff_stress(const Tensor<2, dim> &F) const = 0;
 
-    /** dP_iJ/dF_kL [Pa], indices in this order; without what volumetric stabilisation leaves out.
+    /**
+     * dP_iJ/dF_kL [Pa], indices in this order; of a volumetric stabilisation without
+     * -kappa ln(J) F^-T_kJ F^-T_iL.
      */
     virtual Tensor<4, dim> tangent(const Tensor<2, dim> &F) const = 0;
   };
