@@ -24,14 +24,19 @@ namespace caudal::potential
                 std::vector<double>(second)};
       }
 
-      void limit(const std::size_t i)
+      /** First the slope, then the second derivative. */
+      void limit(const std::size_t i, const unsigned int step)
       {
+        if (step > 0)
+        {
+          second[i] = 0.;
+          return;
+        }
         const double left  = get_secant(i > 0 ? i - 1 : 0);
         const double right = get_secant(i + 1 < x.size() ? i : i - 1);
         const bool   turns = left * right <= 0. || left * slopes[i] <= 0.;
         const double most  = turns ? 0. : 2. * std::min(std::abs(left), std::abs(right));
         slopes[i]          = std::copysign(std::min(std::abs(slopes[i]), most), left);
-        second[i]          = 0.;
       }
 
       bool is_monotone(const std::size_t i) const
@@ -64,19 +69,20 @@ namespace caudal::potential
             (6. * data.get_secant(i) - 4. * data.slopes[i] - 2. * data.slopes[i + 1]) / h;
       }
 
-      // Limiting a point may spoil the interval beside it, but each is limited only once.
-      std::vector<bool> is_limited(x.size(), false);
+      // Limiting a point may spoil the interval beside it, but each is limited only twice.
+      std::vector<unsigned int> n_limits(x.size(), 0);
       for (bool changed = true; changed;)
       {
         changed = false;
         for (std::size_t i = 0; i + 1 < x.size(); ++i)
-          if (!(is_limited[i] && is_limited[i + 1]) && !data.is_monotone(i))
+          if ((n_limits[i] < 2 || n_limits[i + 1] < 2) && !data.is_monotone(i))
+          {
+            const unsigned int step = std::min(n_limits[i], n_limits[i + 1]);
             for (const std::size_t end : {i, i + 1})
-              if (!is_limited[end])
-              {
-                data.limit(end);
-                is_limited[end] = changed = true;
-              }
+              if (n_limits[end] == step)
+                data.limit(end, n_limits[end]++);
+            changed = true;
+          }
       }
       return data;
     }
