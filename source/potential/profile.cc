@@ -41,8 +41,8 @@ namespace caudal::potential
 
       bool is_monotone(const std::size_t i) const
       {
-        const auto         hermite   = make_hermite();
-        const double       secant    = get_secant(i), tolerance = 1e-12 * std::abs(secant);
+        const auto         hermite = make_hermite();
+        const double       secant = get_secant(i), tolerance = 1e-12 * std::abs(secant);
         const unsigned int n_samples = 64;
         for (unsigned int k = 0; k <= n_samples; ++k)
         {
