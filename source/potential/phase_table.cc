@@ -1,7 +1,5 @@
 #include <caudal/potential/phase_table.h>
 
-#include <map>
-
 namespace caudal::potential
 {
   namespace
@@ -79,22 +77,6 @@ namespace caudal::potential
       return pack(state);
     }
 
-    /** For each node that at its mirror image. */
-    std::vector<unsigned int> find_mirrored_nodes(const std::vector<Point<3>> &points)
-    {
-      const auto key = [](const Point<3> &p, const double sign) {
-        return std::array<long, 3>{
-            {std::lround(1e6 * p[0]), std::lround(1e6 * sign * p[1]), std::lround(1e6 * p[2])}};
-      };
-      std::map<std::array<long, 3>, unsigned int> nodes;
-      for (unsigned int i = 0; i < points.size(); ++i)
-        nodes[key(points[i], 1.)] = i;
-      std::vector<unsigned int> result;
-      for (const Point<3> &point : points)
-        result.push_back(nodes.at(key(point, -1.)));
-      return result;
-    }
-
     /** The rows that each rank has computed, on all ranks. */
     void exchange(std::vector<std::vector<double>> &rows, const unsigned int n_columns,
                   const MPI_Comm communicator)
@@ -134,7 +116,7 @@ namespace caudal::potential
     if (mirrors)
     {
       const std::vector<unsigned int> nodes =
-          find_mirrored_nodes(shape.surface.get_reference_points());
+          find_mirror_images(shape.surface.get_reference_points(), 1);
       for (unsigned int k = 0; k < M / 2; ++k)
       {
         rows.push_back(mirror(unpack(rows[k], std::vector<double>(n_modes))));

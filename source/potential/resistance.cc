@@ -33,15 +33,12 @@ namespace caudal::potential
         for (unsigned int q = 0; q < rule.n_points; ++q)
         {
           Element element;
-          for (unsigned int d = 0; d < 3; ++d)
-          {
-            element.X[d] = at.points[d][q];
-            element.N[d] = at.areas[d][q];
-          }
+          element.X = at.get_point(q);
+          element.N = at.get_area(q);
           element.u = v + cross_product_3d(omega, element.X);
           for (unsigned int k = 0; k < nodes.size(); ++k)
             for (unsigned int i = 0; i < gait.c.size(); ++i)
-              element.u += rule.values[q * nodes.size() + k] * instant.rate * gait.rates[i] *
+              element.u += rule.values[q * rule.stride + k] * instant.rate * gait.rates[i] *
                            motion.modes[i][nodes[k]];
           elements.push_back(element);
         }

@@ -215,9 +215,10 @@ namespace caudal::potential
           const CellRule at(rule, positions);
           for (unsigned int q = 0; q < rule.n_points; ++q)
           {
-            const double y = at.points[1][q], z = at.points[2][q], N = at.areas[1][q];
-            Section      section;
-            section.s             = at.points[0][q];
+            const Point<3> X = at.get_point(q);
+            const double   y = X[1], z = X[2], N = at.get_area(q)[1];
+            Section        section;
+            section.s             = X[0];
             section.moments[0][0] = N * y;
             section.moments[0][1] = N * y * y / 2.;
             section.moments[0][2] = N * y * z;

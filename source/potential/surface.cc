@@ -146,5 +146,33 @@ namespace caudal::potential
     if (!from_file)
       for (Point<3> &point : reference_points)
         point = project_to_sphere(point);
+    mirror_images = find_mirror_images(reference_points, 2);
+  }
+
+  std::vector<unsigned int> find_mirror_images(const std::vector<Point<3>> &points,
+                                               const unsigned int           d)
+  {
+    double size = 0.;
+    for (const Point<3> &point : points)
+      size = std::max(size, point.norm());
+    const auto get_key = [&](Point<3> p, const double sign) {
+      p[d] *= sign;
+      std::array<long, 3> key;
+      for (unsigned int e = 0; e < 3; ++e)
+        key[e] = std::lround(1e7 * p[e] / size);
+      return key;
+    };
+    std::map<std::array<long, 3>, unsigned int> numbers;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      numbers[get_key(points[i], 1.)] = i;
+    std::vector<unsigned int> images;
+    for (const Point<3> &point : points)
+    {
+      const auto image = numbers.find(get_key(point, -1.));
+      if (image == numbers.end())
+        return {};
+      images.push_back(image->second);
+    }
+    return images;
   }
 } // namespace caudal::potential

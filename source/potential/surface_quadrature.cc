@@ -6,10 +6,10 @@ namespace caudal::potential
 {
   namespace
   {
-    const unsigned int n_regular = 3; // points in each direction
-    const unsigned int n_part    = 4;
-    const unsigned int n_radial  = 5;
-    const unsigned int n_angular = 14;
+    // Points in each direction.
+    const unsigned int n_gauss[ReferenceRules::n_gauss_rules] = {3, 4, 6};
+    const unsigned int n_radial                               = 5;
+    const unsigned int n_angular                              = 14;
 
     /**
      * Rule on the triangle (apex, a, b), p = apex + u ((a - apex) + v (b - a)) with the
@@ -48,84 +48,58 @@ namespace caudal::potential
   ReferenceRule::ReferenceRule(const Quadrature<2> &quadrature, const FiniteElement<2, 3> &fe)
       : n_points(quadrature.size())
       , weights(quadrature.get_weights())
+      , values(n_points * stride, 0.)
+      , x_derivatives(n_points * stride, 0.)
+      , y_derivatives(n_points * stride, 0.)
   {
-    for (const Point<2> &point : quadrature.get_points())
+    for (unsigned int q = 0; q < n_points; ++q)
       for (unsigned int k = 0; k < fe.n_dofs_per_cell(); ++k)
       {
-        const Tensor<1, 2> gradient = fe.shape_grad(k, point);
-        values.push_back(fe.shape_value(k, point));
-        x_derivatives.push_back(gradient[0]);
-        y_derivatives.push_back(gradient[1]);
+        const Tensor<1, 2> gradient   = fe.shape_grad(k, quadrature.point(q));
+        values[q * stride + k]        = fe.shape_value(k, quadrature.point(q));
+        x_derivatives[q * stride + k] = gradient[0];
+        y_derivatives[q * stride + k] = gradient[1];
       }
   }
 
   ReferenceRules::ReferenceRules(const FiniteElement<2, 3> &fe)
       : fe(fe)
-      , regular(std::make_unique<ReferenceRule>(QGauss<2>(n_regular), fe))
-      , parts(get_index(finest_level + 1, 0, 0))
   {
     for (const Point<2> &node : fe.get_unit_support_points())
       singular.push_back(std::make_unique<ReferenceRule>(make_singular_quadrature(node), fe));
+    outlines.resize(get_number(finest_level + 1, 0, 0));
+    for (Rules &rules : gauss)
+      rules.resize(get_number(finest_level + 1, 0, 0));
   }
 
-  const ReferenceRule &ReferenceRules::get_part(const unsigned int level, const unsigned int i,
+  const ReferenceRule &ReferenceRules::get_part(Rules &rules, const Quadrature<2> &quadrature,
+                                                const unsigned int level, const unsigned int i,
                                                 const unsigned int j)
   {
-    auto &part = parts[get_index(level, i, j)];
-    if (!part)
+    const double          size = 1. / (1u << level);
+    std::vector<Point<2>> points;
+    std::vector<double>   weights;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
-      const QGauss<2>       gauss(n_part);
-      const double          size = 1. / (1u << level);
-      std::vector<Point<2>> points;
-      std::vector<double>   weights;
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-      {
-        points.push_back(size * (gauss.point(q) + Point<2>(i, j)));
-        weights.push_back(size * size * gauss.weight(q));
-      }
-      part = std::make_unique<ReferenceRule>(Quadrature<2>(points, weights), fe);
+      points.push_back(size * (quadrature.point(q) + Point<2>(i, j)));
+      weights.push_back(size * size * quadrature.weight(q));
     }
-    return *part;
+    auto &rule = rules[get_number(level, i, j)];
+    rule       = std::make_unique<ReferenceRule>(Quadrature<2>(points, weights), fe);
+    return *rule;
   }
 
-  CellRule::CellRule(const ReferenceRule &reference, const std::vector<Point<3>> &positions)
-      : reference(&reference)
+  const ReferenceRule &ReferenceRules::get_gauss(const unsigned int rule, const unsigned int level,
+                                                 const unsigned int i, const unsigned int j)
   {
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      points[d].resize(reference.n_points);
-      areas[d].resize(reference.n_points);
-    }
-    const unsigned int n = positions.size();
-    for (unsigned int q = 0; q < reference.n_points; ++q)
-    {
-      Tensor<1, 3> X, X_x, X_y;
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          X[d] += reference.values[q * n + k] * positions[k][d];
-          X_x[d] += reference.x_derivatives[q * n + k] * positions[k][d];
-          X_y[d] += reference.y_derivatives[q * n + k] * positions[k][d];
-        }
-      const Tensor<1, 3> N = reference.weights[q] * cross_product_3d(X_x, X_y);
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        points[d][q] = X[d];
-        areas[d][q]  = N[d];
-      }
-    }
+    const auto &known = gauss[rule][get_number(level, i, j)];
+    return known ? *known : get_part(gauss[rule], QGauss<2>(n_gauss[rule]), level, i, j);
   }
 
-  void CellRule::compute_ball()
+  const ReferenceRule &ReferenceRules::get_outline(const unsigned int level, const unsigned int i,
+                                                   const unsigned int j)
   {
-    // Gauss's points stay off the corners by a tenth of the size.
-    const double       enlarged = 1.2;
-    const unsigned int n        = reference->n_points;
-    for (unsigned int q = 0; q < n; ++q)
-      for (unsigned int d = 0; d < 3; ++d)
-        centre[d] += points[d][q] / n;
-    for (unsigned int q = 0; q < n; ++q)
-      radius = std::max(
-          radius, enlarged * centre.distance(Point<3>(points[0][q], points[1][q], points[2][q])));
+    const auto &known = outlines[get_number(level, i, j)];
+    return known ? *known : get_part(outlines, QIterated<2>(QTrapezoid<1>(), 2), level, i, j);
   }
 } // namespace caudal::potential

@@ -65,6 +65,15 @@ namespace caudal::potential
       return reference_points;
     }
 
+    /**
+     * For each node that at its mirror image, z -> -z, of the reference points; none if there
+     * are nodes without one.
+     */
+    const std::vector<unsigned int> &get_mirror_images() const
+    {
+      return mirror_images;
+    }
+
     /** Whether the surface comes from a file. */
     bool is_from_file() const
     {
@@ -92,7 +101,14 @@ namespace caudal::potential
     DoFHandler<2, 3>                                  dof_handler;
     std::vector<std::vector<types::global_dof_index>> nodes;
     std::vector<Point<3>>                             reference_points;
+    std::vector<unsigned int>                         mirror_images;
   };
+
+  /**
+   * For each point the number of that at its mirror image in the plane normal to the
+   * coordinate @p d; an empty list if there is a point without one.
+   */
+  std::vector<unsigned int> find_mirror_images(const std::vector<Point<3>> &points, unsigned int d);
 
   /** Where the nodes of a surface are, and how they move if each mode c_i has unit rate. */
   struct SurfaceMotion

@@ -16,6 +16,9 @@ namespace caudal::potential
   {
     ReferenceRule(const Quadrature<2> &quadrature, const FiniteElement<2, 3> &fe);
 
+    /** Doubles from one point's shape functions to the next one's; the last are zeros. */
+    static constexpr unsigned int stride = 12;
+
     unsigned int        n_points;
     std::vector<double> weights;
     std::vector<double> values;        ///< by point, then shape function
@@ -29,12 +32,6 @@ namespace caudal::potential
   public:
     explicit ReferenceRules(const FiniteElement<2, 3> &fe);
 
-    /** Gauss's rule on the whole cell, for points far from it and for smooth functions. */
-    const ReferenceRule &get_regular() const
-    {
-      return *regular;
-    }
-
     /**
      * For kernels that are singular at the node with this number: triangles with
      * a corner there, in coordinates that cancel the singularity (M. G. Duffy, SIAM
@@ -45,39 +42,83 @@ namespace caudal::potential
       return *singular[node];
     }
 
-    /** Gauss's rule on the square (i, j) of the 4^level equal parts of the cell. */
-    const ReferenceRule &get_part(unsigned int level, unsigned int i, unsigned int j);
+    /** Gauss's rules with more and more points. */
+    static constexpr unsigned int n_gauss_rules = 3;
 
-    /** The index of such a part among those of all levels. */
-    static unsigned int get_index(const unsigned int level, const unsigned int i,
-                                  const unsigned int j)
+    /** One of them on the square (i, j) of the 4^level equal parts of the cell. */
+    const ReferenceRule &get_gauss(unsigned int rule, unsigned int level, unsigned int i,
+                                   unsigned int j);
+
+    /** Corners, middles of the edges and centre (number 4) of such a part. */
+    const ReferenceRule &get_outline(unsigned int level, unsigned int i, unsigned int j);
+
+    static constexpr unsigned int finest_level = 6;
+
+    /** The number of a part among those of all levels. */
+    static unsigned int get_number(const unsigned int level, const unsigned int i,
+                                   const unsigned int j)
     {
       return ((1u << (2 * level)) - 1) / 3 + (j << level) + i;
     }
 
-    static constexpr unsigned int finest_level = 6;
-
   private:
-    const FiniteElement<2, 3>                  &fe;
-    std::unique_ptr<ReferenceRule>              regular;
-    std::vector<std::unique_ptr<ReferenceRule>> singular;
-    std::vector<std::unique_ptr<ReferenceRule>> parts;
+    using Rules = std::vector<std::unique_ptr<ReferenceRule>>;
+
+    const ReferenceRule &get_part(Rules &rules, const Quadrature<2> &quadrature, unsigned int level,
+                                  unsigned int i, unsigned int j);
+
+    const FiniteElement<2, 3>       &fe;
+    Rules                            singular; // by node
+    std::array<Rules, n_gauss_rules> gauss;    // by part
+    Rules                            outlines; // by part
   };
 
   /** A rule on a cell in space: points and elements of area N = n dS times the weight. */
-  struct CellRule
+  class CellRule
   {
+  public:
+    static constexpr unsigned int n_most_points = 288;
+
+    CellRule() = default;
+
     /** @p positions are those of the cell's nodes. */
-    CellRule(const ReferenceRule &reference, const std::vector<Point<3>> &positions);
+    CellRule(const ReferenceRule &reference, const std::vector<Point<3>> &positions)
+    {
+      place(reference, positions);
+    }
 
-    /** The points' mean and the distance of the farthest of them from it, enlarged. */
-    void compute_ball();
+    void place(const ReferenceRule &reference, const std::vector<Point<3>> &positions);
 
-    const ReferenceRule               *reference;
-    std::array<std::vector<double>, 3> points; ///< [m]
-    std::array<std::vector<double>, 3> areas;  ///< [m^2]
-    Point<3>                           centre;
-    double                             radius = 0.;
+    const ReferenceRule &get_reference() const
+    {
+      return *reference;
+    }
+
+    /** The coordinate @p d of all points [m]. */
+    const double *get_points(const unsigned int d) const
+    {
+      return data.data() + d * reference->n_points;
+    }
+
+    /** The component @p d of N of all points [m^2]. */
+    const double *get_areas(const unsigned int d) const
+    {
+      return data.data() + (3 + d) * reference->n_points;
+    }
+
+    Point<3> get_point(const unsigned int q) const
+    {
+      return Point<3>(get_points(0)[q], get_points(1)[q], get_points(2)[q]);
+    }
+
+    Tensor<1, 3> get_area(const unsigned int q) const
+    {
+      return Point<3>(get_areas(0)[q], get_areas(1)[q], get_areas(2)[q]);
+    }
+
+  private:
+    const ReferenceRule *reference = nullptr;
+    std::vector<double>  data;
   };
 } // namespace caudal::potential
 
