@@ -10,6 +10,9 @@ namespace caudal::potential
     // its radii. With m points in each direction the error falls as (d + sqrt(d^2 - 1))^(-2m).
     const double nearest[ReferenceRules::n_gauss_rules] = {3., 2.2, 1.5};
 
+    // No cell is halved more often than this in either direction.
+    const unsigned int finest_level = 6;
+
     /** The first rule that serves this distance, or the number of rules. */
     unsigned int find_rule(const double distance_square, const double radius)
     {
@@ -26,15 +29,14 @@ namespace caudal::potential
       : surface(surface)
       , motion(motion)
       , rules(rules)
-      , parts(surface.n_cells())
   {
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
       positions.emplace_back();
       for (const auto node : surface.get_nodes(cell))
         positions.back().push_back(motion.positions[node]);
-      regular.emplace_back(rules.get_gauss(0, 0, 0, 0), positions.back());
-      parts[cell].push_back(std::make_unique<Part>(make_part(cell, 0, 0, 0)));
+      regular.emplace_back(rules.get_gauss(0, CellPart()), positions.back());
+      cells.push_back(make_part(cell, CellPart()));
     }
     compute_fluxes();
   }
@@ -62,45 +64,44 @@ namespace caudal::potential
       }
   }
 
-  PlacedSurface::Part PlacedSurface::make_part(const unsigned int cell, const unsigned int level,
-                                               const unsigned int i, const unsigned int j)
+  std::unique_ptr<PlacedSurface::Part> PlacedSurface::make_part(const unsigned int cell,
+                                                                const CellPart    &place)
   {
-    const CellRule outline(rules.get_outline(level, i, j), positions[cell]);
-    Part           part;
-    part.centre = outline.get_point(4);
-    part.radius = 0.;
+    const CellRule outline(rules.get_outline(place), positions[cell]);
+    auto           part = std::make_unique<Part>();
+    part->place         = place;
+    part->centre        = outline.get_point(4);
     for (unsigned int q = 0; q < outline.get_reference().n_points; ++q)
-      part.radius = std::max(part.radius, part.centre.distance(outline.get_point(q)));
+      part->radius = std::max(part->radius, part->centre.distance(outline.get_point(q)));
+    const double width  = outline.get_point(3).distance(outline.get_point(5));
+    const double height = outline.get_point(1).distance(outline.get_point(7));
+    part->longer        = width > height ? 0 : 1;
     return part;
   }
 
   bool PlacedSurface::is_far(const unsigned int cell, const Point<3> &x) const
   {
-    const Part &whole = *parts[cell][0];
-    return find_rule(x.distance_square(whole.centre), whole.radius) == 0;
+    return find_rule(x.distance_square(cells[cell]->centre), cells[cell]->radius) == 0;
   }
 
-  void PlacedSurface::add_part(const unsigned int cell, const unsigned int level,
-                               const unsigned int i, const unsigned int j, const Point<3> &x,
+  void PlacedSurface::add_part(const unsigned int cell, Part &part, const Point<3> &x,
                                CellMoments &moments)
   {
-    const unsigned int number = ReferenceRules::get_number(level, i, j);
-    if (number >= parts[cell].size())
-      parts[cell].resize(ReferenceRules::get_number(level + 1, 0, 0));
-    if (!parts[cell][number])
-      parts[cell][number] = std::make_unique<Part>(make_part(cell, level, i, j));
-    Part        &part = *parts[cell][number];
     unsigned int rule = find_rule(x.distance_square(part.centre), part.radius);
-    if (rule == ReferenceRules::n_gauss_rules && level < ReferenceRules::finest_level)
+    if (rule == ReferenceRules::n_gauss_rules && part.place.levels[part.longer] < finest_level)
     {
-      for (unsigned int child = 0; child < 4; ++child)
-        add_part(cell, level + 1, 2 * i + child % 2, 2 * j + child / 2, x, moments);
+      for (unsigned int half = 0; half < 2; ++half)
+      {
+        if (!part.halves[half])
+          part.halves[half] = make_part(cell, part.place.get_half(part.longer, half));
+        add_part(cell, *part.halves[half], x, moments);
+      }
       return;
     }
     rule = std::min(rule, ReferenceRules::n_gauss_rules - 1);
     if (!part.rules[rule])
       part.rules[rule] =
-          std::make_unique<CellRule>(rules.get_gauss(rule, level, i, j), positions[cell]);
+          std::make_unique<CellRule>(rules.get_gauss(rule, part.place), positions[cell]);
     add_moments(*part.rules[rule], x, moments);
   }
 

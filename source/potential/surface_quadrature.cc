@@ -64,42 +64,42 @@ namespace caudal::potential
 
   ReferenceRules::ReferenceRules(const FiniteElement<2, 3> &fe)
       : fe(fe)
+      , gauss_on_square{{QGauss<2>(n_gauss[0]), QGauss<2>(n_gauss[1]), QGauss<2>(n_gauss[2])}}
+      , outline_of_square(QIterated<2>(QTrapezoid<1>(), 2))
   {
     for (const Point<2> &node : fe.get_unit_support_points())
-      singular.push_back(std::make_unique<ReferenceRule>(make_singular_quadrature(node), fe));
-    outlines.resize(get_number(finest_level + 1, 0, 0));
-    for (Rules &rules : gauss)
-      rules.resize(get_number(finest_level + 1, 0, 0));
+      singular.emplace_back(make_singular_quadrature(node), fe);
   }
 
-  const ReferenceRule &ReferenceRules::get_part(Rules &rules, const Quadrature<2> &quadrature,
-                                                const unsigned int level, const unsigned int i,
-                                                const unsigned int j)
+  const ReferenceRule &ReferenceRules::get_rule(Rules &rules, const CellPart &part,
+                                                const Quadrature<2> &quadrature)
   {
-    const double          size = 1. / (1u << level);
+    const auto known = rules.find(part);
+    if (known != rules.end())
+      return known->second;
     std::vector<Point<2>> points;
     std::vector<double>   weights;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
-      points.push_back(size * (quadrature.point(q) + Point<2>(i, j)));
-      weights.push_back(size * size * quadrature.weight(q));
+      points.push_back(quadrature.point(q));
+      weights.push_back(quadrature.weight(q));
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double size = 1. / (1u << part.levels[d]);
+        points.back()[d]  = size * (points.back()[d] + part.indices[d]);
+        weights.back() *= size;
+      }
     }
-    auto &rule = rules[get_number(level, i, j)];
-    rule       = std::make_unique<ReferenceRule>(Quadrature<2>(points, weights), fe);
-    return *rule;
+    return rules.emplace(part, ReferenceRule(Quadrature<2>(points, weights), fe)).first->second;
   }
 
-  const ReferenceRule &ReferenceRules::get_gauss(const unsigned int rule, const unsigned int level,
-                                                 const unsigned int i, const unsigned int j)
+  const ReferenceRule &ReferenceRules::get_gauss(const unsigned int rule, const CellPart &part)
   {
-    const auto &known = gauss[rule][get_number(level, i, j)];
-    return known ? *known : get_part(gauss[rule], QGauss<2>(n_gauss[rule]), level, i, j);
+    return get_rule(gauss[rule], part, gauss_on_square[rule]);
   }
 
-  const ReferenceRule &ReferenceRules::get_outline(const unsigned int level, const unsigned int i,
-                                                   const unsigned int j)
+  const ReferenceRule &ReferenceRules::get_outline(const CellPart &part)
   {
-    const auto &known = outlines[get_number(level, i, j)];
-    return known ? *known : get_part(outlines, QIterated<2>(QTrapezoid<1>(), 2), level, i, j);
+    return get_rule(outlines, part, outline_of_square);
   }
 } // namespace caudal::potential

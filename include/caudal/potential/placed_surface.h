@@ -5,6 +5,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <memory>
+
 namespace caudal::potential
 {
   /**
@@ -48,7 +50,7 @@ namespace caudal::potential
      */
     void add_near(unsigned int cell, const Point<3> &x, CellMoments &moments)
     {
-      add_part(cell, 0, 0, 0, x, moments);
+      add_part(cell, *cells[cell], x, moments);
     }
 
     /** The same for the cell of which x is the node with this number. */
@@ -58,25 +60,27 @@ namespace caudal::potential
     const SurfaceMotion &motion;
 
   private:
-    /** A part of a cell: a ball around it, and the rules on it. */
+    /** A part of a cell: a ball around it, the rules on it, and its halves. */
     struct Part
     {
+      CellPart                                                             place;
       Point<3>                                                             centre;
-      double                                                               radius;
+      double                                                               radius = 0.;
+      unsigned int                                                         longer = 0;
       std::array<std::unique_ptr<CellRule>, ReferenceRules::n_gauss_rules> rules;
+      std::array<std::unique_ptr<Part>, 2>                                 halves;
     };
 
-    Part make_part(unsigned int cell, unsigned int level, unsigned int i, unsigned int j);
-    void add_part(unsigned int cell, unsigned int level, unsigned int i, unsigned int j,
-                  const Point<3> &x, CellMoments &moments);
+    std::unique_ptr<Part> make_part(unsigned int cell, const CellPart &place);
+    void add_part(unsigned int cell, Part &part, const Point<3> &x, CellMoments &moments);
     void compute_fluxes();
 
-    ReferenceRules                                 &rules;
-    std::vector<std::vector<Point<3>>>              positions; // by cell
-    std::vector<CellRule>                           regular;   // by cell
-    std::vector<std::vector<std::unique_ptr<Part>>> parts;     // by cell, then number
-    FullMatrix<double>                              fluxes;
-    CellRule                                        singular; // the last one
+    ReferenceRules                    &rules;
+    std::vector<std::vector<Point<3>>> positions; // by cell
+    std::vector<CellRule>              regular;   // by cell
+    std::vector<std::unique_ptr<Part>> cells;     // as parts of themselves
+    FullMatrix<double>                 fluxes;
+    CellRule                           singular; // the last one
   };
 } // namespace caudal::potential
 

@@ -6,7 +6,8 @@
 #include <deal.II/base/quadrature.h>
 
 #include <array>
-#include <memory>
+#include <map>
+#include <tuple>
 #include <vector>
 
 namespace caudal::potential
@@ -26,6 +27,26 @@ namespace caudal::potential
     std::vector<double> y_derivatives; ///< along the second one
   };
 
+  /** One of the equal parts of the unit square, 2^levels[d] in the direction d. */
+  struct CellPart
+  {
+    std::array<unsigned int, 2> levels = {{0, 0}}, indices = {{0, 0}};
+
+    /** One of the halves in a direction. */
+    CellPart get_half(const unsigned int direction, const unsigned int half) const
+    {
+      CellPart part = *this;
+      ++part.levels[direction];
+      part.indices[direction] = 2 * indices[direction] + half;
+      return part;
+    }
+
+    bool operator<(const CellPart &other) const
+    {
+      return std::tie(levels, indices) < std::tie(other.levels, other.indices);
+    }
+  };
+
   /** The rules that integrate kernels over a cell, whatever the distance of the point x. */
   class ReferenceRules
   {
@@ -39,38 +60,30 @@ namespace caudal::potential
      */
     const ReferenceRule &get_singular(const unsigned int node) const
     {
-      return *singular[node];
+      return singular[node];
     }
 
     /** Gauss's rules with more and more points. */
     static constexpr unsigned int n_gauss_rules = 3;
 
-    /** One of them on the square (i, j) of the 4^level equal parts of the cell. */
-    const ReferenceRule &get_gauss(unsigned int rule, unsigned int level, unsigned int i,
-                                   unsigned int j);
+    /** One of them on a part of the cell. */
+    const ReferenceRule &get_gauss(unsigned int rule, const CellPart &part);
 
-    /** Corners, middles of the edges and centre (number 4) of such a part. */
-    const ReferenceRule &get_outline(unsigned int level, unsigned int i, unsigned int j);
-
-    static constexpr unsigned int finest_level = 6;
-
-    /** The number of a part among those of all levels. */
-    static unsigned int get_number(const unsigned int level, const unsigned int i,
-                                   const unsigned int j)
-    {
-      return ((1u << (2 * level)) - 1) / 3 + (j << level) + i;
-    }
+    /** Corners, middles of the edges and centre (number 4) of a part. */
+    const ReferenceRule &get_outline(const CellPart &part);
 
   private:
-    using Rules = std::vector<std::unique_ptr<ReferenceRule>>;
+    using Rules = std::map<CellPart, ReferenceRule>;
 
-    const ReferenceRule &get_part(Rules &rules, const Quadrature<2> &quadrature, unsigned int level,
-                                  unsigned int i, unsigned int j);
+    const ReferenceRule &get_rule(Rules &rules, const CellPart &part,
+                                  const Quadrature<2> &quadrature);
 
-    const FiniteElement<2, 3>       &fe;
-    Rules                            singular; // by node
-    std::array<Rules, n_gauss_rules> gauss;    // by part
-    Rules                            outlines; // by part
+    const FiniteElement<2, 3>                     &fe;
+    const std::array<Quadrature<2>, n_gauss_rules> gauss_on_square;
+    const Quadrature<2>                            outline_of_square;
+    std::vector<ReferenceRule>                     singular; // by node
+    std::array<Rules, n_gauss_rules>               gauss;
+    Rules                                          outlines;
   };
 
   /** A rule on a cell in space: points and elements of area N = n dS times the weight. */
