@@ -67,15 +67,18 @@ namespace caudal::potential
       single[1][q] = kernel.single_layer * N1[q];
       single[2][q] = kernel.single_layer * N2[q];
     }
+    // Sums of their own, so that no other variable can be the same as one of them.
+    CellMoments   sums   = moments;
     const double *values = rule.get_reference().values.data();
     for (unsigned int q = 0; q < n; ++q, values += stride)
       for (unsigned int k = 0; k < stride; ++k)
       {
-        moments.dipole[k] += dipole[q] * values[k];
-        moments.single[0][k] += single[0][q] * values[k];
-        moments.single[1][k] += single[1][q] * values[k];
-        moments.single[2][k] += single[2][q] * values[k];
+        sums.dipole[k] += dipole[q] * values[k];
+        sums.single[0][k] += single[0][q] * values[k];
+        sums.single[1][k] += single[1][q] * values[k];
+        sums.single[2][k] += single[2][q] * values[k];
       }
+    moments = sums;
   }
 
   CAUDAL_FOR_EACH_PROCESSOR

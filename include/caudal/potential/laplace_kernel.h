@@ -1,6 +1,8 @@
 #ifndef caudal_potential_laplace_kernel_h
 #define caudal_potential_laplace_kernel_h
 
+#include <deal.II/base/config.h>
+
 #include <cmath>
 
 namespace caudal::potential
@@ -13,12 +15,13 @@ namespace caudal::potential
   };
 
   /** @p r = y - x [m], @p N the element's area times its normal; r must not be zero. */
-  inline LaplaceKernel evaluate_laplace_kernel(const double rx, const double ry, const double rz,
-                                               const double Nx, const double Ny, const double Nz)
+  inline DEAL_II_ALWAYS_INLINE LaplaceKernel
+  evaluate_laplace_kernel(const double rx, const double ry, const double rz, const double Nx,
+                          const double Ny, const double Nz)
   {
     constexpr double factor  = 0.079577471545947667884; // 1/(4 pi)
     const double     inverse = 1. / (rx * rx + ry * ry + rz * rz);
-    const double     G       = factor * std::sqrt(inverse);
+    const double     G       = factor * __builtin_sqrt(inverse);
     return {G, -(rx * Nx + ry * Ny + rz * Nz) * inverse * G};
   }
 } // namespace caudal::potential
