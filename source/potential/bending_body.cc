@@ -210,6 +210,7 @@ namespace caudal::potential
   {
     const std::vector<BentSpine> spine = bend(node_stations, c);
     SurfaceMotion                motion;
+    motion.rest = node_places;
     motion.modes.assign(n_modes(), std::vector<Tensor<1, 3>>(spine.size()));
     for (unsigned int node = 0; node < spine.size(); ++node)
     {

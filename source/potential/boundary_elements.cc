@@ -54,7 +54,7 @@ namespace caudal::potential
       {
         const auto &nodes = placed.surface.get_nodes(cell);
         const auto  own   = std::find(nodes.begin(), nodes.end(), node);
-        if (own == nodes.end() && placed.is_far(cell, x))
+        if (own == nodes.end() && placed.is_far(cell, node))
         {
           const CellRule &rule = placed.get_regular(cell);
           std::memset(dipole, 0, sizeof dipole);
@@ -68,7 +68,7 @@ namespace caudal::potential
         if (own != nodes.end())
           placed.add_singular(cell, own - nodes.begin(), moments);
         else
-          placed.add_near(cell, x, moments);
+          placed.add_near(cell, node, moments);
         for (unsigned int k = 0; k < n; ++k)
         {
           const Tensor<1, 3> single =

@@ -10,6 +10,14 @@ namespace caudal::potential
     // its radii. With m points in each direction the error falls as (d + sqrt(d^2 - 1))^(-2m).
     const double nearest[ReferenceRules::n_gauss_rules] = {3., 2.2, 1.5};
 
+    // What was far away at rest counts as near if it comes nearer than this.
+    const double too_near = 2.;
+
+    double square(const double value)
+    {
+      return value * value;
+    }
+
     // No cell is halved more often than this in either direction.
     const unsigned int finest_level = 6;
 
@@ -18,7 +26,7 @@ namespace caudal::potential
     {
       unsigned int rule = 0;
       while (rule < ReferenceRules::n_gauss_rules &&
-             distance_square < nearest[rule] * nearest[rule] * radius * radius)
+             distance_square < square(nearest[rule] * radius))
         ++rule;
       return rule;
     }
@@ -29,16 +37,27 @@ namespace caudal::potential
       : surface(surface)
       , motion(motion)
       , rules(rules)
+      , rest(motion.rest.empty() ? motion.positions : motion.rest)
+      , positions(extract_positions(motion.positions))
+      , rest_positions(extract_positions(rest))
   {
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      positions.emplace_back();
-      for (const auto node : surface.get_nodes(cell))
-        positions.back().push_back(motion.positions[node]);
-      regular.emplace_back(rules.get_gauss(0, CellPart()), positions.back());
-      cells.push_back(make_part(cell, CellPart()));
+      regular.emplace_back(rules.get_gauss(0, CellPart()), positions[cell]);
+      cells.push_back(make_part(rest_positions[cell], CellPart()));
+      now.push_back(make_part(positions[cell], CellPart()));
     }
     compute_fluxes();
+  }
+
+  PlacedSurface::Positions
+  PlacedSurface::extract_positions(const std::vector<Point<3>> &nodes) const
+  {
+    Positions result(surface.n_cells());
+    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+      for (const auto node : surface.get_nodes(cell))
+        result[cell].push_back(nodes[node]);
+    return result;
   }
 
   void PlacedSurface::compute_fluxes()
@@ -64,10 +83,10 @@ namespace caudal::potential
       }
   }
 
-  std::unique_ptr<PlacedSurface::Part> PlacedSurface::make_part(const unsigned int cell,
-                                                                const CellPart    &place)
+  std::unique_ptr<PlacedSurface::Part> PlacedSurface::make_part(const std::vector<Point<3>> &nodes,
+                                                                const CellPart              &place)
   {
-    const CellRule outline(rules.get_outline(place), positions[cell]);
+    const CellRule outline(rules.get_outline(place), nodes);
     auto           part = std::make_unique<Part>();
     part->place         = place;
     part->centre        = outline.get_point(4);
@@ -79,22 +98,36 @@ namespace caudal::potential
     return part;
   }
 
-  bool PlacedSurface::is_far(const unsigned int cell, const Point<3> &x) const
+  bool PlacedSurface::is_far(const unsigned int cell, const unsigned int node) const
   {
-    return find_rule(x.distance_square(cells[cell]->centre), cells[cell]->radius) == 0;
+    const Part &at_rest = *cells[cell], &at_present = *now[cell];
+    return rest[node].distance_square(at_rest.centre) >= square(nearest[0] * at_rest.radius) &&
+           motion.positions[node].distance_square(at_present.centre) >=
+               square(too_near * at_present.radius);
   }
 
-  void PlacedSurface::add_part(const unsigned int cell, Part &part, const Point<3> &x,
+  void PlacedSurface::add_near(const unsigned int cell, const unsigned int node,
                                CellMoments &moments)
   {
-    unsigned int rule = find_rule(x.distance_square(part.centre), part.radius);
+    const Point<3> &x = motion.positions[node];
+    if (rest[node].distance_square(cells[cell]->centre) < square(nearest[0] * cells[cell]->radius))
+      add_part(cell, *cells[cell], rest_positions[cell], rest[node], x, moments);
+    else
+      add_part(cell, *now[cell], positions[cell], x, x, moments);
+  }
+
+  void PlacedSurface::add_part(const unsigned int cell, Part &part,
+                               const std::vector<Point<3>> &decisive, const Point<3> &decisive_x,
+                               const Point<3> &x, CellMoments &moments)
+  {
+    unsigned int rule = find_rule(decisive_x.distance_square(part.centre), part.radius);
     if (rule == ReferenceRules::n_gauss_rules && part.place.levels[part.longer] < finest_level)
     {
       for (unsigned int half = 0; half < 2; ++half)
       {
         if (!part.halves[half])
-          part.halves[half] = make_part(cell, part.place.get_half(part.longer, half));
-        add_part(cell, *part.halves[half], x, moments);
+          part.halves[half] = make_part(decisive, part.place.get_half(part.longer, half));
+        add_part(cell, *part.halves[half], decisive, decisive_x, x, moments);
       }
       return;
     }

@@ -92,6 +92,7 @@ namespace caudal::potential
     {
       const Radius R = get_radius(direction[0], c, scale);
       motion.positions.push_back(R.value * direction);
+      motion.rest.push_back(radius * direction);
       for (unsigned int i = 0; i < 2; ++i)
         motion.modes[i].push_back(R.derivatives[i] * direction);
     }

@@ -80,8 +80,8 @@ namespace caudal::potential
 
       std::vector<Section> compute_sections() const override
       {
-        const unsigned int   n_slices = 140;
-        const QGauss<1>      gauss(4);
+        const unsigned int   n_slices = 56;
+        const QGauss<1>      gauss(3);
         std::vector<Section> sections;
         for (unsigned int i = 0; i < n_slices; ++i)
           for (unsigned int q = 0; q < gauss.size(); ++q)

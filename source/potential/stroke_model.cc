@@ -130,6 +130,21 @@ namespace caudal::potential
     return mass;
   }
 
+  std::vector<double> SwimmingShape::compute_energy_gradient(const GaitState      &at,
+                                                             const Vector<double> &u)
+  {
+    const double        step = 1e-3;
+    std::vector<double> gradient(at.c.size(), 0.);
+    for (unsigned int i = 0; with_torques && i < at.c.size(); ++i)
+      for (const double sign : {-1., 1.})
+      {
+        std::vector<double> c = at.c;
+        c[i] += sign * step;
+        gradient[i] += sign * compute_energy(compute_mass(c), u) / (2. * step);
+      }
+    return gradient;
+  }
+
   StrokeState SwimmingShape::compute_state(const double argument, FullMatrix<double> *potentials)
   {
     const GaitState    at = gait.evaluate(argument);
@@ -161,18 +176,7 @@ namespace caudal::potential
       u(6 + i) = at.rates[i];
     mass.vmult(momenta, u);
     state.momenta.assign(momenta.begin() + 6, momenta.end());
-    state.energy_gradient.assign(n, 0.);
-    if (with_torques)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const double        step = 1e-4;
-        std::vector<double> c    = at.c;
-        c[i] += step;
-        const double above = compute_energy(compute_mass(c), u);
-        c[i] -= 2. * step;
-        const double below       = compute_energy(compute_mass(c), u);
-        state.energy_gradient[i] = (above - below) / (2. * step);
-      }
+    state.energy_gradient = compute_energy_gradient(at, u);
     return state;
   }
 

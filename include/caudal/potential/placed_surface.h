@@ -41,19 +41,17 @@ namespace caudal::potential
       return fluxes;
     }
 
-    /** Whether x is so far from the cell that the regular rule is accurate. */
-    bool is_far(unsigned int cell, const Point<3> &x) const;
+    /** Whether a node is so far from the cell that the regular rule is accurate. */
+    bool is_far(unsigned int cell, unsigned int node) const;
 
     /**
-     * Adds the kernels' moments of a cell that does not contain x, by rules whose points are
-     * the denser the nearer the part of the cell is to x.
+     * Adds the kernels' moments of a cell, seen from a node of another one, by rules whose
+     * points are the denser the nearer the part of the cell is to the node. The body at rest
+     * decides, unless the deformation brings together what was far apart.
      */
-    void add_near(unsigned int cell, const Point<3> &x, CellMoments &moments)
-    {
-      add_part(cell, *cells[cell], x, moments);
-    }
+    void add_near(unsigned int cell, unsigned int node, CellMoments &moments);
 
-    /** The same for the cell of which x is the node with this number. */
+    /** The same for the cell of which the node is the one with this number. */
     void add_singular(unsigned int cell, unsigned int node, CellMoments &moments);
 
     const Surface       &surface;
@@ -71,14 +69,23 @@ namespace caudal::potential
       std::array<std::unique_ptr<Part>, 2>                                 halves;
     };
 
-    std::unique_ptr<Part> make_part(unsigned int cell, const CellPart &place);
-    void add_part(unsigned int cell, Part &part, const Point<3> &x, CellMoments &moments);
+    /** Nodes by cell. */
+    using Positions = std::vector<std::vector<Point<3>>>;
+
+    Positions             extract_positions(const std::vector<Point<3>> &nodes) const;
+    std::unique_ptr<Part> make_part(const std::vector<Point<3>> &nodes, const CellPart &place);
+
+    /** @p decisive are the nodes and the place of @p x by which the rule is chosen. */
+    void add_part(unsigned int cell, Part &part, const std::vector<Point<3>> &decisive,
+                  const Point<3> &decisive_x, const Point<3> &x, CellMoments &moments);
     void compute_fluxes();
 
     ReferenceRules                    &rules;
-    std::vector<std::vector<Point<3>>> positions; // by cell
-    std::vector<CellRule>              regular;   // by cell
-    std::vector<std::unique_ptr<Part>> cells;     // as parts of themselves
+    const std::vector<Point<3>>       &rest; // by node
+    const Positions                    positions, rest_positions;
+    std::vector<CellRule>              regular; // by cell
+    std::vector<std::unique_ptr<Part>> cells;   // as parts of themselves, at rest
+    std::vector<std::unique_ptr<Part>> now;     // as they are
     FullMatrix<double>                 fluxes;
     CellRule                           singular; // the last one
   };

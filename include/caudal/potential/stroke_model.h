@@ -6,6 +6,7 @@
 #include <caudal/potential/trigonometric_table.h>
 
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/vector.h>
 
 #include <memory>
 
@@ -90,6 +91,10 @@ namespace caudal::potential
     const Densities    densities;
     const bool         with_torques;
     BoundaryElements   boundary_elements;
+
+  private:
+    /** dT/dc_i for fixed rates of all motions, (omega, v, dc/dpsi) = u, by differences. */
+    std::vector<double> compute_energy_gradient(const GaitState &at, const Vector<double> &u);
   };
 
   /** A new surface at each instant. */

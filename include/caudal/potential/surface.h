@@ -115,6 +115,13 @@ namespace caudal::potential
   {
     std::vector<Point<3>>                  positions; ///< X [m], body frame
     std::vector<std::vector<Tensor<1, 3>>> modes;     ///< dX/dc_i by mode and node [m]
+
+    /**
+     * The positions in the undeformed body, by which quadrature rules are chosen; the same in
+     * all shapes, so that what is integrated depends smoothly on the shape. If there are none,
+     * those above.
+     */
+    std::vector<Point<3>> rest;
   };
 } // namespace caudal::potential
 
