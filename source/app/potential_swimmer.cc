@@ -100,8 +100,9 @@ namespace caudal
     {
       const double bend = deformation->compute_bend(gait->evaluate(end * k / n_samples).c);
       AssertThrow(bend < 1.,
-                  ExcMessage("Gait: the body would intersect itself, since half its width times "
-                             "the curvature of the spine reaches " +
+                  ExcMessage("Gait: the body would intersect itself, since its width relative to "
+                             "the room that the bend leaves (half-width times curvature, or two "
+                             "half-widths over their distance) reaches " +
                              std::to_string(bend) +
                              " and has to stay below 1. Reduce the gait's Amplitude, Curvature "
                              "or Bias, or the half-widths in section Shape."));
@@ -113,10 +114,15 @@ namespace caudal
     return parameters.integration.method == "table" && gait->is_periodic();
   }
 
+  bool PotentialSwimmer::is_from_rest() const
+  {
+    return parameters.body.is_from_rest() && !parameters.resistance.active &&
+           deformation->n_modes() > 0;
+  }
+
   bool PotentialSwimmer::has_torques() const
   {
-    return parameters.integration.torques && parameters.body.is_from_rest() &&
-           !parameters.resistance.active && deformation->n_modes() > 0;
+    return parameters.integration.torques && is_from_rest();
   }
 
   void PotentialSwimmer::print_summary(std::ostream &out) const
@@ -133,7 +139,7 @@ namespace caudal
         << "  body      length " << deformation->get_length() << " m, volume " << volume
         << " m^3, mass " << volume * parameters.get_densities().body << " kg, "
         << deformation->n_modes() << " modes of deformation\n"
-        << "  bend      half-width times curvature up to " << bend << " (limit 1)\n"
+        << "  bend      width over the room that the bend leaves up to " << bend << " (limit 1)\n"
         << "  method    "
         << (uses_table()
                 ? "table of " + std::to_string(parameters.integration.n_phases) + " phases" +
@@ -230,8 +236,8 @@ namespace caudal
         throw StopRequest();
     });
     strokes.fill(summary);
-    if (uses_table() && summary.has_torques)
-      summary.energy = average_stroke(model, rate, n_phases_of_averages);
+    if (uses_table() && is_from_rest())
+      summary.energy = average_stroke(model, rate, n_phases_of_averages, has_torques());
     return summary;
   }
 

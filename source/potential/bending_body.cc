@@ -272,6 +272,16 @@ namespace caudal::potential
         curvature += c[i] * modes->curvature(i, length * k / n_intervals);
       largest = std::max(largest, half_widths[k] * std::abs(curvature));
     }
+
+    // Parts that are farther apart along the spine than a half-circle may have met.
+    const std::vector<BentSpine> spine = bend(grid, c);
+    for (unsigned int k = 0; k <= n_intervals; ++k)
+      for (unsigned int l = 0; l < k; ++l)
+      {
+        const double widths = half_widths[k] + half_widths[l];
+        if (length * (k - l) / n_intervals > 0.5 * numbers::PI * widths)
+          largest = std::max(largest, widths / (spine[k].place - spine[l].place).norm());
+      }
     return largest;
   }
 } // namespace caudal::potential

@@ -129,11 +129,13 @@ namespace caudal::potential
     }
     try
     {
-      const double step = times.size() > 1 ? times[1] - times[0] : 1.;
+      // The shape has to be seen often enough in each stroke for its error estimate.
+      const double largest_step = 0.5 / problem.rate;
       odeint::integrate_times(odeint::make_controlled(problem.tolerance, problem.tolerance,
-                                                      odeint::runge_kutta_fehlberg78<OdeState>()),
-                              system, state, times.begin(), times.end(), step, observer,
-                              odeint::max_step_checker(100000));
+                                                      largest_step,
+                                                      odeint::runge_kutta_dopri5<OdeState>()),
+                              system, state, times.begin(), times.end(), largest_step, observer,
+                              odeint::max_step_checker(1000000));
     }
     catch (const odeint::odeint_error &error)
     {

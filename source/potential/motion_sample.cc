@@ -68,12 +68,13 @@ namespace caudal::potential
     return gross_work / duration;
   }
 
-  EnergyAverages average_stroke(StrokeModel &model, const double rate, const unsigned int n_phases)
+  EnergyAverages average_stroke(StrokeModel &model, const double rate, const unsigned int n_phases,
+                                const bool has_torques)
   {
     const double   period = 2. * numbers::PI / rate;
     EnergyAverages averages;
     for (unsigned int k = 0; k < n_phases; ++k)
-      averages.add(compute_sample(model, BodyState(), period * k / n_phases, rate, true),
+      averages.add(compute_sample(model, BodyState(), period * k / n_phases, rate, has_torques),
                    period / n_phases);
     return averages;
   }

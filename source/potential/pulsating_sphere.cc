@@ -39,8 +39,9 @@ namespace caudal::potential
     return 2. * radius;
   }
 
-  double PulsatingSphere::compute_bend(const std::vector<double> &) const
+  double PulsatingSphere::compute_bend(const std::vector<double> &c) const
   {
+    get_scale(c); // throws if the radius is negative
     return 0.;
   }
 

@@ -94,8 +94,17 @@ namespace caudal::potential
         matrix(i, j) = mass[i][j];
     }
     matrix.set_property(LAPACKSupport::symmetric);
-    matrix.compute_cholesky_factorization();
-    matrix.solve(q);
+    try
+    {
+      matrix.compute_cholesky_factorization();
+      matrix.solve(q);
+    }
+    catch (const ExceptionBase &)
+    {
+      AssertThrow(false, ExcMessage("The mass matrix of body and fluid is not positive definite: "
+                                    "the body's surface intersects itself, or is too coarse. "
+                                    "Reduce the deformation, or refine section Surface."));
+    }
     Screw result;
     for (unsigned int i = 0; i < 6; ++i)
       result[i] = q(i);

@@ -28,6 +28,7 @@ namespace caudal
   private:
     void                                    check_shape() const;
     bool                                    uses_table() const;
+    bool                                    is_from_rest() const; // and without external forces
     bool                                    has_torques() const;
     std::unique_ptr<potential::StrokeModel> create_model(double increment, Log &log);
     SwimSummary swim(potential::StrokeModel &model, double frequency, const std::string &suffix,

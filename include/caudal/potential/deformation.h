@@ -29,7 +29,8 @@ namespace caudal::potential
 
     /**
      * How near the body is to intersecting itself: the largest of half-width times curvature
-     * of the spine, which has to be less than 1.
+     * of the spine, and of the sum of two half-widths over the distance of their places. It has
+     * to be less than 1.
      */
     virtual double compute_bend(const std::vector<double> &c) const = 0;
 

@@ -39,7 +39,12 @@ namespace caudal::potential
   /** How the equations are integrated. */
   enum class Integrator
   {
-    adaptive,   ///< Runge-Kutta-Fehlberg 7(8) with error control
+    /**
+     * Dormand and Prince's Runge-Kutta pair of order 5(4) with error control. (That of Fehlberg
+     * of order 7(8) would not do: from rest, place is a mere integral over time, of which its
+     * error estimate vanishes.)
+     */
+    adaptive,
     given_steps ///< classical Runge-Kutta in the steps of the output
   };
 

@@ -51,7 +51,8 @@ namespace caudal::potential
    * The averages over one stroke from rest, at @p n_phases equidistant phases: the work of the
    * whole cycle is independent of where it begins.
    */
-  EnergyAverages average_stroke(StrokeModel &model, double rate, unsigned int n_phases);
+  EnergyAverages average_stroke(StrokeModel &model, double rate, unsigned int n_phases,
+                                bool has_torques);
 } // namespace caudal::potential
 
 #endif
