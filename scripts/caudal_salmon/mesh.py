@@ -1,0 +1,72 @@
+"""Mesh independence: the same swim on finer and finer surfaces."""
+
+import numpy as np
+
+from caudal_plots import style
+
+from . import runs
+
+# Cells along and across: 150 to 6,000 panels, each about twice as many as the one before.
+MESHES = ((3, 2), (4, 3), (6, 4), (8, 6), (12, 8), (16, 12))
+FINEST = (20, 14)
+QUANTITIES = ("displacement a stroke", "mean kinetic energy")
+
+
+def count_panels(along, across):
+    return 16 * along * across + 8 * across**2 + 2
+
+
+def extrapolate(sizes, values):
+    """Observed order and Richardson's value of the last three, whose sizes are h."""
+    (h1, h2, h3), (v1, v2, v3) = sizes[-3:], values[-3:]
+    # (h1^p - h2^p)/(h2^p - h3^p) = (v1 - v2)/(v2 - v3), by bisection
+    ratio = (v1 - v2) / (v2 - v3) if v2 != v3 else -1
+    if ratio <= 0:
+        return None, None
+    low, high = 0.05, 12.
+    for _ in range(80):
+        p = (low + high) / 2
+        if (h1**p - h2**p) / (h2**p - h3**p) < ratio:
+            low = p
+        else:
+            high = p
+    return p, v3 + (v3 - v2) * h3**p / (h2**p - h3**p)
+
+
+def main(case, folder, overrides, with_finest):
+    meshes = MESHES + ((FINEST,) if with_finest else ())
+    rows, text = [], []
+    for along, across in meshes:
+        n = count_panels(along, across)
+        place = folder / f"{n}"
+        runs.run(case, place, [*overrides, f"Surface/Cells along={along}",
+                               f"Surface/Cells across={across}", "Integration/Torques=false",
+                               "Output/Interval of fields=1e9"])
+        result = runs.read_summary(place)[0]
+        cpu = runs.read_log(place, r"CPU of rank 0: (\S+) s")[0]
+        rows.append((n, *(result[name] for name in QUANTITIES), cpu))
+        text.append(f"{n:8d}{rows[-1][1]:20.8g}{rows[-1][2]:20.8g}{cpu:12.2f}")
+        print(text[-1], flush=True)
+    n, *values, _ = np.array(rows).T
+    header = f"{'panels':>8}{'a stroke [cm]':>20}{'<T> [J]':>20}{'CPU [s]':>12}"
+    text.insert(0, header)
+    limits = []
+    for name, value in zip(QUANTITIES, values):
+        order, limit = extrapolate(n**-0.5, value)
+        limits.append(value[-1] if limit is None else limit)
+        text.append(f"{name}: " + ("the last three differences do not decrease; no order"
+                                   if order is None else
+                                   f"observed order {order:.2f}, Richardson's value {limit:.8g}"))
+    (folder / "mesh.txt").write_text("\n".join(text) + "\n")
+    print("\n".join(text[len(meshes) + 1:]))
+    style.apply()
+    figure, axes = style.make_figure(1, 1, 3.6)
+    for name, value, limit in zip(QUANTITIES, values, limits):
+        axes[0, 0].loglog(n, np.maximum(abs(value / limit - 1), 1e-8), "o-", markersize=3, label=name)
+    axes[0, 0].set_xlabel("panels")
+    axes[0, 0].set_ylabel("relative difference from Richardson's value")
+    axes[0, 0].legend()
+    figure.savefig(folder / "mesh.png")
+    style.close(figure)
+    print(folder / "mesh.txt", folder / "mesh.png", sep="\n")
+    return 0
