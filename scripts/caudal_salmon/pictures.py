@@ -37,45 +37,52 @@ def read_surface(path):
     return points[cells], pressure[cells].mean(axis=1)
 
 
-def draw_surface(axes, path, limit):
+def get_turn(series):
+    """The rotation that makes the fish swim to the left: from its place at both ends."""
+    first, last = (read_surface(series[k][1])[0].reshape(-1, 3)[:, :2].mean(axis=0)
+                   for k in (0, -1))
+    direction = (first - last) / np.linalg.norm(first - last)
+    return np.array([direction, (-direction[1], direction[0])])
+
+
+def draw_surface(axes, path, limit, turn, shift=(0., 0.)):
+    """From above, in cm; returns the points."""
     corners, pressure = read_surface(path)
     order = np.argsort(corners[:, :, 2].mean(axis=1))  # the top covers the rest
-    axes.add_collection(PolyCollection(100 * corners[order][:, :, :2], array=pressure[order],
-                                       cmap=style.PRESSURE, clim=(-limit, limit),
-                                       edgecolor="face", linewidth=0.2, rasterized=True))
-    return 100 * corners.reshape(-1, 3)[:, :2]
+    points = 100 * corners[order][:, :, :2] @ turn.T + shift
+    axes.add_collection(PolyCollection(points, array=pressure[order], cmap=style.PRESSURE,
+                                       clim=(-limit, limit), edgecolor="0.7", linewidth=0.15,
+                                       rasterized=True))
+    return points.reshape(-1, 2)
 
 
 def draw_swimming(folder, swims, title):
-    """Each swim in a row: the fish through its second stroke, then at the start and the end."""
-    figure, axes = style.make_figure(len(swims), 2, 2.4 * len(swims),
-                                     gridspec_kw={"width_ratios": (2, 1)})
+    """Each swim in a row: the fish through its second stroke, and on its way of 20 s."""
+    figure, axes = style.make_figure(len(swims), 2, 2.6 * len(swims))
     for row, (case, f) in enumerate(swims):
         series = read_series(folder / case, f)
         times = np.array([time for time, _ in series])
+        turn = get_turn(series)
         limit = style.get_round_limit(np.percentile(
-            np.abs(read_surface(series[len(series) // 2][1])[1]), 95))
+            np.abs(read_surface(series[len(series) // 2][1])[1]), 90))
+        stroke, way = axes[row]
         seen = []
         for k in range(N_TIMES):
             nearest = int(np.argmin(abs(times - (1 + k / N_TIMES) / f)))
-            points = draw_surface(axes[row, 0], series[nearest][1], limit)
-            shift = np.array([0., -3. * k])
-            axes[row, 0].collections[-1].set_offsets([shift])
-            axes[row, 0].collections[-1].set_offset_transform(axes[row, 0].transData)
-            seen.append(points + shift)
-            axes[row, 0].annotate(f"{times[nearest]:.2f} s", points.max(axis=0) + shift + (0.3, -1.2),
-                                  fontsize=6)
-        ends = [draw_surface(axes[row, 1], path, limit)
-                for _, path in (series[0], series[len(series) // 2], series[-1])]
-        for panel, group in ((axes[row, 0], seen), (axes[row, 1], ends)):
+            column, line = k % 3, k // 3
+            shift = np.array([13. * column, -7. * line])
+            points = draw_surface(stroke, series[nearest][1], limit, turn, shift)
+            stroke.annotate(f"{times[nearest]:.2f} s", (13. * column - 1., 3. - 7. * line), fontsize=7)
+            seen.append(points)
+        ways = [draw_surface(way, series[k][1], limit, turn)
+                for k in (0, len(series) // 2, len(series) - 1)]
+        for panel, group in ((stroke, seen), (way, ways)):
             points = np.concatenate(group)
-            low, high = points.min(axis=0) - 0.6, points.max(axis=0) + 0.6
-            style.set_window(panel, (low[0], high[0] + (2 if panel is axes[row, 0] else 0),
-                                     low[1], high[1]))
-            panel.set_xlabel("x [cm]")
-        axes[row, 0].set_ylabel("y [cm], shifted")
-        axes[row, 0].set_title(f"{case.replace('_', ' ')}, {f} Hz, one stroke; pressure to "
-                               f"±{limit:g} Pa")
-        axes[row, 1].set_title(f"at {times[0]:.0f}, {times[len(times) // 2]:.0f} and {times[-1]:.0f} s")
+            (x0, y0), (x1, y1) = points.min(axis=0) - 1, points.max(axis=0) + 1
+            style.set_window(panel, (x0, x1, min(y0, -4.), max(y1, 4.)))
+            panel.set_ylabel("[cm]")
+        stroke.set_title(f"{case.replace('_', ' ')}, {f} Hz: one stroke; pressure to ±{limit:g} Pa")
+        way.set_title(f"at {times[0]:.0f}, {times[len(times) // 2]:.0f} and {times[-1]:.0f} s, "
+                      "swimming to the left")
     figure.suptitle(title)
     return figure
