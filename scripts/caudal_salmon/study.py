@@ -93,7 +93,8 @@ def draw_power(folder):
         panel.set_xlabel("frequency [Hz]")
         panel.set_ylabel(label)
         panel.set_yscale("log")
-    axes[0, 0].legend(fontsize=6)
+    axes[0, 0].set_ylim(bottom=0.02)
+    axes[0, 0].legend(fontsize=6, loc="lower right", ncol=2)
     return figure
 
 
