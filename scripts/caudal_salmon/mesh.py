@@ -6,7 +6,7 @@ from caudal_plots import style
 
 from . import runs
 
-# Cells along and across: 150 to 6,000 panels, each about twice as many as the one before.
+# Cells along and across: 130 to 6,050 panels, each about twice as many as the one before.
 MESHES = ((3, 2), (4, 3), (6, 4), (8, 6), (12, 8), (16, 12))
 FINEST = (20, 14)
 QUANTITIES = ("displacement a stroke", "mean kinetic energy")

@@ -11,8 +11,9 @@ from caudal_plots import style
 from . import runs
 
 FREQUENCY = "Gait/Frequency"
-PLOTTED = ("distance", "displacement a stroke", "turn a stroke", "mean kinetic energy",
-           "mean gross power", "cost of transport")
+PLOTTED = {"distance": "cm", "displacement a stroke": "cm", "turn a stroke": "degrees",
+           "mean kinetic energy": "J", "mean gross power": "W", "cost of transport": "J/(kg m)"}
+LEAST_TURN = 1e-3  # [degrees]; less is rounding
 
 
 def parse(text):
@@ -56,7 +57,12 @@ def draw(entry, rows, path):
                       if frequency in (None, result["frequency"])]
             panel.plot(*np.array(chosen).T, "o-", markersize=3,
                        label=None if frequency is None else f"{frequency:g} Hz")
-        panel.set_ylabel(name)
+        values = [result[name] for _, result in rows]
+        if name.startswith("turn") and max(map(abs, values)) < LEAST_TURN:
+            panel.set_ylim(-1, 1)
+        elif np.ptp(values) < 1e-6 * max(map(abs, values)):
+            panel.set_ylim(0, 1.5 * max(values))
+        panel.set_ylabel(f"{name} [{PLOTTED[name]}]")
         panel.set_xlabel(entry)
     for panel in axes.flat[len(names):]:
         panel.set_visible(False)
