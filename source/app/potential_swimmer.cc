@@ -179,7 +179,7 @@ namespace caudal
 
   SwimSummary PotentialSwimmer::swim(StrokeModel &model, const double frequency,
                                      const std::string &suffix, const OutputFolder &folder,
-                                     FieldOutput                 &fields,
+                                     FieldOutput &fields, Log &log,
                                      const std::function<bool()> &stop_requested)
   {
     const bool     is_periodic = gait->is_periodic() && deformation->n_modes() > 0;
@@ -214,6 +214,10 @@ namespace caudal
     MotionSample    previous;
     Tensor<1, 3>    first_centre;
     unsigned int    k = 0;
+    Progress   progress(is_terminal() ? std::cout : log.get_stream(), 0., instants.times.back(),
+                      is_terminal());
+    const bool shows_progress =
+        !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
     integrate_motion(problem, start, instants.times, [&](const BodyState &body, const double) {
       const double       time   = instants.times[k];
       const MotionSample sample = compute_sample(model, body, time, rate, summary.has_torques);
@@ -232,9 +236,13 @@ namespace caudal
       summary.distance = (sample.centre - first_centre).norm();
       previous         = sample;
       ++k;
+      if (shows_progress)
+        progress.update(time, k);
       if (stop_requested())
         throw StopRequest();
     });
+    if (shows_progress)
+      progress.finish();
     strokes.fill(summary);
     if (uses_table() && is_from_rest())
       summary.energy = average_stroke(model, rate, n_phases_of_averages, has_torques());
@@ -258,7 +266,7 @@ namespace caudal
       for (const double frequency : frequencies)
       {
         const std::string suffix = frequencies.size() > 1 ? "_" + print_frequency(frequency) : "";
-        summaries.push_back(swim(*model, frequency, suffix, folder, fields, stop_requested));
+        summaries.push_back(swim(*model, frequency, suffix, folder, fields, log, stop_requested));
       }
     }
     catch (const StopRequest &)

@@ -228,8 +228,17 @@ namespace caudal::potential
     for (unsigned int i = 0; i < solution.m(); ++i)
       for (unsigned int l = 0; l < solution.n(); ++l)
         solution(i, l) = -equations.rhs(l, i);
-    equations.matrix.compute_lu_factorization();
-    equations.matrix.solve(solution, /*transposed*/ true);
+    try
+    {
+      equations.matrix.compute_lu_factorization();
+      equations.matrix.solve(solution, /*transposed*/ true);
+    }
+    catch (const ExceptionBase &)
+    {
+      AssertThrow(false, ExcMessage("The boundary elements' matrix is singular: the surface is "
+                                    "degenerate, or intersects itself. Check section Shape, and "
+                                    "refine section Surface."));
+    }
     cost.solution += timer.cpu_time();
     return collect(placed, solution);
   }

@@ -32,7 +32,7 @@ namespace caudal
     bool                                    has_torques() const;
     std::unique_ptr<potential::StrokeModel> create_model(double increment, Log &log);
     SwimSummary swim(potential::StrokeModel &model, double frequency, const std::string &suffix,
-                     const OutputFolder &folder, FieldOutput &fields,
+                     const OutputFolder &folder, FieldOutput &fields, Log &log,
                      const std::function<bool()> &stop_requested);
 
     const PotentialParameters                    &parameters;
