@@ -177,6 +177,29 @@ namespace caudal
     return table;
   }
 
+  MotionProblem PotentialSwimmer::make_problem(StrokeModel &model, const double rate) const
+  {
+    MotionProblem problem;
+    problem.model      = &model;
+    problem.rate       = rate;
+    problem.length     = deformation->get_length();
+    problem.tolerance  = parameters.integration.tolerance;
+    problem.integrator = uses_table() ? Integrator::adaptive : Integrator::given_steps;
+    problem.force      = create_resistance(parameters.resistance, *swimming_shape);
+    return problem;
+  }
+
+  SwimSummary PotentialSwimmer::make_summary(const double frequency) const
+  {
+    SwimSummary summary;
+    summary.frequency   = frequency;
+    summary.length      = deformation->get_length();
+    summary.has_torques = has_torques();
+    summary.mass        = deformation->compute_body_mass(gait->evaluate(0.).c)(3, 3) *
+                   parameters.get_densities().body;
+    return summary;
+  }
+
   SwimSummary PotentialSwimmer::swim(StrokeModel &model, const double frequency,
                                      const std::string &suffix, const OutputFolder &folder,
                                      FieldOutput &fields, Log &log,
@@ -187,26 +210,14 @@ namespace caudal
     const Instants instants =
         merge_times(parameters.time.get_times(), is_periodic ? 1. / frequency : 0.);
 
-    MotionProblem problem;
-    problem.model      = &model;
-    problem.rate       = rate;
-    problem.length     = deformation->get_length();
-    problem.tolerance  = parameters.integration.tolerance;
-    problem.integrator = uses_table() ? Integrator::adaptive : Integrator::given_steps;
-    problem.force      = create_resistance(parameters.resistance, *swimming_shape);
-    BodyState start;
+    const MotionProblem problem = make_problem(model, rate);
+    BodyState           start;
     for (unsigned int d = 0; d < 3; ++d)
     {
       start.impulse[d]     = parameters.body.angular_impulse[d];
       start.impulse[3 + d] = parameters.body.linear_impulse[d];
     }
-
-    SwimSummary summary;
-    summary.frequency   = is_periodic ? frequency : 0.;
-    summary.length      = deformation->get_length();
-    summary.has_torques = has_torques();
-    summary.mass        = deformation->compute_body_mass(gait->evaluate(0.).c)(3, 3) *
-                   parameters.get_densities().body;
+    SwimSummary summary = make_summary(is_periodic ? frequency : 0.);
 
     PotentialOutput output(parameters, *swimming_shape, model, folder, fields, suffix,
                            communicator);

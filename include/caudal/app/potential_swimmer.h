@@ -31,6 +31,8 @@ namespace caudal
     bool                                    is_from_rest() const; // and without external forces
     bool                                    has_torques() const;
     std::unique_ptr<potential::StrokeModel> create_model(double increment, Log &log);
+    potential::MotionProblem make_problem(potential::StrokeModel &model, double rate) const;
+    SwimSummary              make_summary(double frequency) const;
     SwimSummary swim(potential::StrokeModel &model, double frequency, const std::string &suffix,
                      const OutputFolder &folder, FieldOutput &fields, Log &log,
                      const std::function<bool()> &stop_requested);
