@@ -6,7 +6,7 @@ from caudal_plots import style
 
 from . import runs
 
-# Cells along and across: 130 to 6,050 panels, each about twice as many as the one before.
+# Cells along and across, 130 to 6,050 panels; every second one has half the spacing.
 MESHES = ((3, 2), (4, 3), (6, 4), (8, 6), (12, 8), (16, 12))
 FINEST = (20, 14)
 QUANTITIES = ("displacement a stroke", "mean kinetic energy")
@@ -16,21 +16,13 @@ def count_panels(along, across):
     return 16 * along * across + 8 * across**2 + 2
 
 
-def extrapolate(sizes, values):
-    """Observed order and Richardson's value of the last three, whose sizes are h."""
-    (h1, h2, h3), (v1, v2, v3) = sizes[-3:], values[-3:]
-    # (h1^p - h2^p)/(h2^p - h3^p) = (v1 - v2)/(v2 - v3), by bisection
-    ratio = (v1 - v2) / (v2 - v3) if v2 != v3 else -1
-    if ratio <= 0:
+def extrapolate(values):
+    """Observed order and Richardson's value of three grids, each with half the spacing."""
+    coarse, middle, fine = values
+    ratio = (middle - coarse) / (fine - middle) if fine != middle else 0
+    if ratio <= 1:
         return None, None
-    low, high = 0.05, 12.
-    for _ in range(80):
-        p = (low + high) / 2
-        if (h1**p - h2**p) / (h2**p - h3**p) < ratio:
-            low = p
-        else:
-            high = p
-    return p, v3 + (v3 - v2) * h3**p / (h2**p - h3**p)
+    return np.log2(ratio), fine + (fine - middle) / (ratio - 1)
 
 
 def main(case, folder, overrides, with_finest):
@@ -48,15 +40,17 @@ def main(case, folder, overrides, with_finest):
         text.append(f"{n:8d}{rows[-1][1]:20.8g}{rows[-1][2]:20.8g}{cpu:12.2f}")
         print(text[-1], flush=True)
     n, *values, _ = np.array(rows).T
+    similar = slice(len(MESHES) - 5, len(MESHES), 2)
     header = f"{'panels':>8}{'a stroke [cm]':>20}{'<T> [J]':>20}{'CPU [s]':>12}"
     text.insert(0, header)
     limits = []
     for name, value in zip(QUANTITIES, values):
-        order, limit = extrapolate(n**-0.5, value)
+        order, limit = extrapolate(value[similar])
         limits.append(value[-1] if limit is None else limit)
-        text.append(f"{name}: " + ("the last three differences do not decrease; no order"
+        text.append(f"{name}: " + ("the differences do not decrease; no order"
                                    if order is None else
-                                   f"observed order {order:.2f}, Richardson's value {limit:.8g}"))
+                                   f"observed order {order:.2f}, Richardson's value {limit:.8g} "
+                                   f"({n[similar].astype(int)} panels)"))
     (folder / "mesh.txt").write_text("\n".join(text) + "\n")
     print("\n".join(text[len(meshes) + 1:]))
     style.apply()
