@@ -1,4 +1,5 @@
 #include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/potential_swimmer.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
 
@@ -48,18 +49,18 @@ namespace
       MPI_Abort(MPI_COMM_WORLD, failed);
   }
 
-  template <int dim>
-  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  /** Runs or checks a case with the swimmer and the parameters of one model. */
+  template <class Swimmer, class Parameters>
+  Exit run_model(Parameters &parameters, const ParameterFile &file, const CommandLine &command_line)
   {
-    RunParameters<dim> parameters(&file);
-    ParameterHandler   prm;
+    ParameterHandler prm;
     parameters.declare(prm);
     file.parse(prm);
     parameters.check();
     if (command_line.action == CommandLine::Action::check)
     {
-      const ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
-      std::ostringstream         summary;
+      const Swimmer      swimmer(parameters, MPI_COMM_WORLD);
+      std::ostringstream summary;
       swimmer.print_summary(summary);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         std::cout << summary.str() << command_line.file << ": nothing speaks against a run.\n";
@@ -67,9 +68,9 @@ namespace
     }
 
     // What can be wrong with the case is found before anything is written.
-    ImmersedSwimmer<dim> swimmer(parameters, MPI_COMM_WORLD);
-    const OutputFolder   folder(parameters.output.folder, MPI_COMM_WORLD);
-    std::ostringstream   used_parameters;
+    Swimmer            swimmer(parameters, MPI_COMM_WORLD);
+    const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);
+    std::ostringstream used_parameters;
     prm.print_parameters(used_parameters, ParameterHandler::PRM);
     folder.write_parameters(used_parameters.str());
     Log log(folder.path("log.txt"), MPI_COMM_WORLD);
@@ -77,6 +78,29 @@ namespace
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
     return swimmer.run(folder, log, stop_requested) == Outcome::finished ? finished : stopped;
+  }
+
+  template <int dim>
+  Exit run_immersed(const ParameterFile &file, const CommandLine &command_line)
+  {
+    RunParameters<dim> parameters(&file);
+    return run_model<ImmersedSwimmer<dim>>(parameters, file, command_line);
+  }
+
+  Exit run_potential(const ParameterFile &file, const CommandLine &command_line)
+  {
+    PotentialParameters parameters;
+    return run_model<PotentialSwimmer>(parameters, file, command_line);
+  }
+
+  template <class Parameters>
+  Exit print_model_parameters(Parameters &&parameters, const std::string &format)
+  {
+    ParameterHandler prm;
+    parameters.declare(prm);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      print_parameters(std::cout, prm, format);
+    return finished;
   }
 
   Exit run(const int argc, char **argv)
@@ -98,17 +122,15 @@ namespace
     std::unique_ptr<ParameterFile> file;
     if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    const bool is_potential = file && get_model(*file) == "potential";
     if (command_line.action == CommandLine::Action::print_parameters)
-    {
-      RunParameters<2> parameters(file.get());
-      ParameterHandler prm;
-      parameters.declare(prm);
-      if (is_root)
-        print_parameters(std::cout, prm, command_line.format);
-      return finished;
-    }
-    return get_dimension(*file) == 2 ? run_model<2>(*file, command_line)
-                                     : run_model<3>(*file, command_line);
+      return is_potential
+                 ? print_model_parameters(PotentialParameters(), command_line.format)
+                 : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
+    if (is_potential)
+      return run_potential(*file, command_line);
+    return get_dimension(*file) == 2 ? run_immersed<2>(*file, command_line)
+                                     : run_immersed<3>(*file, command_line);
   }
 } // namespace
 

@@ -35,7 +35,9 @@ namespace caudal
   template <int dim>
   void RunParameters<dim>::declare(ParameterHandler &prm)
   {
-    prm.add_parameter("Model", model, "The model: the immersed elastic swimmer.",
+    prm.add_parameter("Model", model,
+                      "The model: immersed, the elastic swimmer in a viscous fluid (the other one, "
+                      "potential, has other parameters).",
                       Patterns::Selection("immersed"));
     prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
                       Patterns::Integer(2, 3));
@@ -70,6 +72,14 @@ namespace caudal
     refinement.check(domain.levels);
     solver.check();
     output.check();
+  }
+
+  std::string get_model(const ParameterFile &file)
+  {
+    const std::string model = file.get("Model", "immersed");
+    AssertThrow(model == "immersed" || model == "potential",
+                ExcMessage("Model: the value is <" + model + ">. Give immersed or potential."));
+    return model;
   }
 
   unsigned int get_dimension(const ParameterFile &file)

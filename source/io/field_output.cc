@@ -20,8 +20,8 @@ namespace caudal
     const std::string entry_ends   = "<!-- end -->";
 
     /** Writes the data and returns their entry in the list. Collective. */
-    template <int dim>
-    std::string write_vtu(DataOutInterface<dim> &data_out, const std::string &folder,
+    template <int dim, int spacedim>
+    std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const std::string &folder,
                           const std::string &file, const std::string &name, const double time,
                           const unsigned int counter, const MPI_Comm communicator)
     {
@@ -41,10 +41,10 @@ namespace caudal
     }
 
     /** The same for the other format. */
-    template <int dim>
-    std::string write_hdf5(const DataOutInterface<dim> &data_out, const std::string &folder,
-                           const std::string &file, const std::string &name, const double time,
-                           const MPI_Comm communicator)
+    template <int dim, int spacedim>
+    std::string write_hdf5(const DataOutInterface<dim, spacedim> &data_out,
+                           const std::string &folder, const std::string &file,
+                           const std::string &name, const double time, const MPI_Comm communicator)
     {
       // Points of one place stay apart: pressure and cell-wise data jump there.
       DataOutBase::DataOutFilter filter(DataOutBase::DataOutFilterFlags(false, true));
@@ -105,8 +105,8 @@ namespace caudal
     });
   }
 
-  template <int dim>
-  void FieldOutput::write(DataOutInterface<dim> &data_out, const std::string &name,
+  template <int dim, int spacedim>
+  void FieldOutput::write(DataOutInterface<dim, spacedim> &data_out, const std::string &name,
                           const double time, const unsigned int counter,
                           const MPI_Comm field_communicator)
   {
@@ -182,8 +182,10 @@ namespace caudal
     std::filesystem::rename(temporary, get_list_name());
   }
 
-  template void FieldOutput::write<2>(DataOutInterface<2> &, const std::string &, double,
-                                      unsigned int, MPI_Comm);
-  template void FieldOutput::write<3>(DataOutInterface<3> &, const std::string &, double,
-                                      unsigned int, MPI_Comm);
+  template void FieldOutput::write(DataOutInterface<2> &, const std::string &, double, unsigned int,
+                                   MPI_Comm);
+  template void FieldOutput::write(DataOutInterface<3> &, const std::string &, double, unsigned int,
+                                   MPI_Comm);
+  template void FieldOutput::write(DataOutInterface<2, 3> &, const std::string &, double,
+                                   unsigned int, MPI_Comm);
 } // namespace caudal

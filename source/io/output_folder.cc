@@ -23,10 +23,17 @@ namespace caudal
       return std::getline(file, line) && line == signature;
     }
 
+    /** statistics.txt or statistics_<case>.txt */
+    bool is_statistics(const std::string &name)
+    {
+      return name == "statistics.txt" ||
+             (name.rfind("statistics_", 0) == 0 && fs::path(name).extension() == ".txt");
+    }
+
     /** Everything that Caudal and scripts/plot write, and nothing else. */
     void remove_results(const fs::path &folder)
     {
-      const std::set<std::string> names   = {"log.txt", "statistics.txt", "swim.txt"};
+      const std::set<std::string> names   = {"log.txt", "swim.txt", "summary.txt", "summary.csv"};
       const std::set<std::string> endings = {".pvd", ".xdmf", ".vtu", ".h5", ".png"};
 
       const auto remove_files = [&](const fs::path &where) {
@@ -34,6 +41,7 @@ namespace caudal
         if (fs::is_directory(where))
           for (const auto &entry : fs::directory_iterator(where))
             if (!entry.is_directory() && (names.count(entry.path().filename().string()) > 0 ||
+                                          is_statistics(entry.path().filename().string()) ||
                                           endings.count(entry.path().extension().string()) > 0))
               found.insert(entry.path());
         for (const auto &path : found)

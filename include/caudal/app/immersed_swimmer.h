@@ -2,6 +2,7 @@
 #define caudal_app_immersed_swimmer_h
 
 #include <caudal/app/grid_adaptation.h>
+#include <caudal/app/outcome.h>
 #include <caudal/app/parameters.h>
 #include <caudal/app/run_output.h>
 
@@ -9,13 +10,6 @@
 
 namespace caudal
 {
-  /** How a run ended, if not by an error. */
-  enum class Outcome
-  {
-    finished,
-    stopped // on request
-  };
-
   /** Elastic bodies that swim in a viscous fluid: the immersed boundary method. */
   template <int dim>
   class ImmersedSwimmer

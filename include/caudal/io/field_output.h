@@ -53,9 +53,9 @@ namespace caudal
      * triangulation: MPI_COMM_SELF for a body that is replicated on all ranks, of
      * which rank 0 alone writes its copy. Collective.
      */
-    template <int dim>
-    void write(dealii::DataOutInterface<dim> &data_out, const std::string &name, double time,
-               unsigned int counter, MPI_Comm field_communicator);
+    template <int dim, int spacedim>
+    void write(dealii::DataOutInterface<dim, spacedim> &data_out, const std::string &name,
+               double time, unsigned int counter, MPI_Comm field_communicator);
 
   private:
     /** At one time: the entries of the list by the names of their blocks. */

@@ -1,0 +1,75 @@
+#ifndef caudal_app_potential_parameters_h
+#define caudal_app_potential_parameters_h
+
+#include <caudal/io/field_output.h>
+#include <caudal/potential/gait.h>
+#include <caudal/potential/kirchhoff.h>
+#include <caudal/potential/resistance.h>
+#include <caudal/potential/shape.h>
+#include <caudal/potential/surface.h>
+
+namespace caudal
+{
+  using namespace dealii;
+
+  /** Section `Time` of a run of the potential model: when there is output. */
+  struct OutputSchedule
+  {
+    double end_time   = 20.;
+    double step       = 0.01;
+    double first_step = 0.001;
+    double first_part = 1.;
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+
+    /** All times of output [s], from 0 to the end. */
+    std::vector<double> get_times() const;
+  };
+
+  /** Section `Body`. */
+  struct PotentialBodyParameters
+  {
+    double              density         = 0.; // 0: that of the fluid
+    std::vector<double> linear_impulse  = {0., 0., 0.};
+    std::vector<double> angular_impulse = {0., 0., 0.};
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+    bool is_from_rest() const;
+  };
+
+  /** Section `Integration`. */
+  struct IntegrationParameters
+  {
+    std::string  method    = "table";
+    unsigned int n_phases  = 32;
+    double       tolerance = 1e-9;
+    bool         torques   = true;
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /** All parameters of a run of the swimmer in an ideal fluid. */
+  struct PotentialParameters
+  {
+    std::string                     model         = "potential";
+    double                          fluid_density = 1000.;
+    OutputSchedule                  time;
+    potential::ShapeParameters      shape;
+    potential::SurfaceParameters    surface;
+    potential::GaitParameters       gait;
+    PotentialBodyParameters         body;
+    IntegrationParameters           integration;
+    potential::ResistanceParameters resistance;
+    OutputParameters                output;
+
+    void declare(ParameterHandler &prm);
+    void check() const;
+
+    potential::Densities get_densities() const;
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef caudal_potential_motion_sample_h
+#define caudal_potential_motion_sample_h
+
+#include <caudal/potential/kirchhoff.h>
+
+#include <vector>
+
+namespace caudal::potential
+{
+  /** The swimming body at one time. Vectors without another note are in the inertial frame. */
+  struct MotionSample
+  {
+    double              time = 0.; ///< [s]
+    BodyState           body;
+    Screw               velocity;        ///< (omega, v) of the nose, in the body's frame
+    Tensor<1, 3>        centre;          ///< of mass [m]
+    Tensor<1, 3>        centre_velocity; ///< [m/s]
+    double              energy = 0.;     ///< kinetic, of body and fluid [J]
+    std::vector<double> torques;         ///< Q_i of the modes [N m]; none if not known
+    std::vector<double> powers;          ///< Q_i dc_i/dt [W]
+
+    double get_power() const; ///< sum of the powers [W]
+  };
+
+  /**
+   * Everything at @p time of a body that moves with the gait's rate of @p rate [rad/s]. Torques
+   * if it @p has_torques: it swims from rest without external forces.
+   */
+  MotionSample compute_sample(StrokeModel &model, const BodyState &body, double time, double rate,
+                              bool has_torques);
+
+  /** Averages over time. */
+  class EnergyAverages
+  {
+  public:
+    /** @p weight is the sample's share of time [s]. */
+    void add(const MotionSample &sample, double weight);
+
+    double mean_energy() const;         ///< <T> [J]
+    double mean_positive_power() const; ///< <max(sum_i Q_i c_i', 0)> [W]
+    double mean_gross_power() const;    ///< sum_i <|Q_i c_i'|> [W]
+
+    double              largest_energy = 0.; ///< [J]
+    std::vector<double> largest_torques;     ///< of each mode [N m]
+
+  private:
+    double duration = 0., energy = 0., positive_work = 0., gross_work = 0.;
+  };
+
+  /**
+   * The averages over one stroke from rest, at @p n_phases equidistant phases: the work of the
+   * whole cycle is independent of where it begins.
+   */
+  EnergyAverages average_stroke(StrokeModel &model, double rate, unsigned int n_phases,
+                                bool has_torques);
+} // namespace caudal::potential
+
+#endif

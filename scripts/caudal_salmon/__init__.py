@@ -1,0 +1,1 @@
+"""Studies of the ideal-fluid salmon: runs, tables and plots."""

@@ -1,0 +1,179 @@
+#include <caudal/app/potential_output.h>
+#include <caudal/potential/surface_fields.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe_field.h>
+#include <deal.II/numerics/data_out.h>
+
+namespace caudal
+{
+  using namespace potential;
+
+  namespace
+  {
+    const std::string coordinates[] = {"x", "y", "z"};
+
+    /** The potential of the whole flow at the nodes, in the body's state at another time. */
+    Vector<double> compute_potential(StrokeModel &model, const MotionSample &sample,
+                                     const double time, const double rate, const Gait &gait)
+    {
+      // The impulses at the other time follow from those that are conserved.
+      BodyState          body  = sample.body;
+      const double       step  = time - sample.time;
+      const Screw       &q     = sample.velocity;
+      const Tensor<1, 3> omega = Point<3>(q[0], q[1], q[2]), v = Point<3>(q[3], q[4], q[5]);
+      const Screw       &impulse = sample.body.impulse;
+      const Tensor<1, 3> Lambda  = Point<3>(impulse[0], impulse[1], impulse[2]);
+      const Tensor<1, 3> Pi      = Point<3>(impulse[3], impulse[4], impulse[5]);
+      const Tensor<1, 3> dLambda = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
+      const Tensor<1, 3> dPi     = cross_product_3d(Pi, omega);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        body.impulse[d] += step * dLambda[d];
+        body.impulse[3 + d] += step * dPi[d];
+      }
+
+      const double              argument = rate * time;
+      const FullMatrix<double>  modes    = model.compute_potentials(argument);
+      const std::vector<double> rates    = gait.evaluate(argument).rates;
+      const Screw    velocity = model.compute_motion(argument).compute_velocity(body.impulse, rate);
+      Vector<double> motions(modes.n()), potential(modes.m());
+      for (unsigned int k = 0; k < 6; ++k)
+        motions(k) = velocity[k];
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        motions(6 + i) = rate * rates[i];
+      modes.vmult(potential, motions);
+      return potential;
+    }
+  } // namespace
+
+  PotentialOutput::PotentialOutput(const PotentialParameters &parameters, SwimmingShape &shape,
+                                   StrokeModel &model, const OutputFolder &folder,
+                                   FieldOutput &fields, const std::string &suffix,
+                                   const MPI_Comm communicator)
+      : parameters(parameters)
+      , shape(shape)
+      , model(model)
+      , name("fish" + suffix)
+      , communicator(communicator)
+      , statistics(Utilities::MPI::this_mpi_process(communicator) == 0
+                       ? folder.path("statistics" + suffix + ".txt")
+                       : "")
+      , fields(fields)
+      , place_handler(shape.surface.get_dof_handler().get_triangulation())
+  {
+    place_handler.distribute_dofs(FESystem<2, 3>(shape.surface.get_fe(), 3));
+  }
+
+  void PotentialOutput::write(const MotionSample &sample, const double rate)
+  {
+    if (n_rows == 0)
+      first_centre = sample.centre;
+    if (n_rows % parameters.output.statistics_interval == 0)
+      write_row(sample, rate);
+    ++n_rows;
+    const double end = parameters.time.end_time;
+    if (sample.time >= std::min(next_fields, end) - 1e-9 * end)
+    {
+      write_fields(sample, rate);
+      next_fields += parameters.output.field_interval;
+    }
+  }
+
+  void PotentialOutput::write_row(const MotionSample &sample, const double rate)
+  {
+    const auto set        = [this](const std::string &quantity, const std::string &unit,
+                            const double value) { statistics.set(quantity, unit, value); };
+    const auto set_vector = [&](const std::string &what, const std::string &unit,
+                                const Tensor<1, 3> &vector) {
+      for (unsigned int d = 0; d < 3; ++d)
+        set(coordinates[d] + " of " + what, unit, vector[d]);
+    };
+    const auto get_part = [](const Screw &screw, const unsigned int first) {
+      return Point<3>(screw[first], screw[first + 1], screw[first + 2]);
+    };
+
+    set("time", "s", sample.time);
+    set_vector("nose", "m", sample.body.position);
+    for (unsigned int i = 0; i < 4; ++i)
+      set("quaternion " + std::to_string(i), "1", sample.body.quaternion[i]);
+    set_vector("centre of mass", "m", sample.centre);
+    set("distance", "m", (sample.centre - first_centre).norm());
+    set_vector("velocity of centre of mass", "m/s", sample.centre_velocity);
+    set("speed", "m/s", sample.centre_velocity.norm());
+    set_vector("angular velocity in body frame", "rad/s", get_part(sample.velocity, 0));
+    set_vector("velocity of nose in body frame", "m/s", get_part(sample.velocity, 3));
+    set_vector("angular impulse in body frame", "kg m^2/s", get_part(sample.body.impulse, 0));
+    set_vector("linear impulse in body frame", "kg m/s", get_part(sample.body.impulse, 3));
+    set("kinetic energy", "J", sample.energy);
+    const GaitState gait = shape.gait.evaluate(rate * sample.time);
+    for (std::size_t i = 0; i < gait.c.size(); ++i)
+      set("coordinate of mode " + std::to_string(i + 1), "rad", gait.c[i]);
+    for (std::size_t i = 0; i < sample.torques.size(); ++i)
+      set("torque of mode " + std::to_string(i + 1), "N m", sample.torques[i]);
+    for (std::size_t i = 0; i < sample.powers.size(); ++i)
+      set("power of mode " + std::to_string(i + 1), "W", sample.powers[i]);
+    if (!sample.powers.empty())
+      set("power", "W", sample.get_power());
+    statistics.write_row();
+  }
+
+  void PotentialOutput::write_fields(const MotionSample &sample, const double rate)
+  {
+    const double        argument  = rate * sample.time;
+    const GaitState     gait      = shape.gait.evaluate(argument);
+    const SurfaceMotion motion    = shape.deformation.place(gait.c);
+    const double        increment = 1e-4 / rate;
+
+    // Places and velocities in the inertial frame
+    const Screw              &q     = sample.velocity;
+    const Tensor<1, 3>        omega = Point<3>(q[0], q[1], q[2]), v = Point<3>(q[3], q[4], q[5]);
+    std::vector<Point<3>>     nodes;
+    std::vector<Tensor<1, 3>> velocities;
+    for (unsigned int node = 0; node < shape.surface.n_nodes(); ++node)
+    {
+      Tensor<1, 3> u = v + cross_product_3d(omega, Tensor<1, 3>(motion.positions[node]));
+      for (std::size_t i = 0; i < gait.rates.size(); ++i)
+        u += rate * gait.rates[i] * motion.modes[i][node];
+      nodes.emplace_back(sample.body.position + sample.body.rotate(motion.positions[node]));
+      velocities.push_back(sample.body.rotate(u));
+    }
+
+    const Vector<double> potential =
+        compute_potential(model, sample, sample.time, rate, shape.gait);
+    Vector<double> potential_rate =
+        compute_potential(model, sample, sample.time + increment, rate, shape.gait);
+    potential_rate -= compute_potential(model, sample, sample.time - increment, rate, shape.gait);
+    potential_rate /= 2. * increment;
+    const SurfaceFields flow = compute_surface_fields(shape.surface, nodes, velocities, potential,
+                                                      potential_rate, shape.densities.fluid);
+
+    Vector<double> places(place_handler.n_dofs()), velocity(place_handler.n_dofs()),
+        pressure(potential.size());
+    std::copy(flow.pressure.begin(), flow.pressure.end(), pressure.begin());
+    const auto                          &fe = place_handler.get_fe();
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : place_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(indices);
+      const auto &cell_nodes = shape.surface.get_nodes(cell->active_cell_index());
+      for (unsigned int i = 0; i < indices.size(); ++i)
+      {
+        const auto [component, k] = fe.system_to_component_index(i);
+        places(indices[i])        = nodes[cell_nodes[k]][component];
+        velocity(indices[i])      = flow.velocity[cell_nodes[k]][component];
+      }
+    }
+
+    const MappingFEField<2, 3, Vector<double>> mapping(place_handler, places);
+    DataOut<2, 3>                              data_out;
+    data_out.add_data_vector(shape.surface.get_dof_handler(), potential, "potential");
+    data_out.add_data_vector(shape.surface.get_dof_handler(), pressure, "pressure");
+    data_out.add_data_vector(place_handler, velocity, std::vector<std::string>(3, "velocity"),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 3, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.build_patches(mapping, std::max(2u, parameters.output.n_subdivisions),
+                           DataOut<2, 3>::curved_inner_cells);
+    fields.write(data_out, name, sample.time, n_fields++, MPI_COMM_SELF);
+  }
+} // namespace caudal

@@ -1,0 +1,147 @@
+#include <caudal/potential/kirchhoff.h>
+
+#include <boost/math/quaternion.hpp>
+#include <boost/numeric/odeint.hpp>
+
+namespace caudal::potential
+{
+  namespace
+  {
+    namespace odeint = boost::numeric::odeint;
+
+    using Quaternion = boost::math::quaternion<double>;
+
+    /** Lambda, Pi, quaternion, r/length. */
+    using OdeState = std::vector<double>;
+
+    Quaternion normalise(const std::array<double, 4> &q)
+    {
+      const Quaternion quaternion(q[0], q[1], q[2], q[3]);
+      return quaternion / boost::math::abs(quaternion);
+    }
+
+    Tensor<1, 3> rotate_by(const Quaternion &q, const Tensor<1, 3> &V)
+    {
+      const Quaternion result = q * Quaternion(0., V[0], V[1], V[2]) * boost::math::conj(q);
+      return Point<3>(result.R_component_2(), result.R_component_3(), result.R_component_4());
+    }
+
+    OdeState pack(const BodyState &body, const double length)
+    {
+      OdeState state(13);
+      for (unsigned int i = 0; i < 6; ++i)
+        state[i] = body.impulse[i];
+      for (unsigned int i = 0; i < 4; ++i)
+        state[6 + i] = body.quaternion[i];
+      for (unsigned int i = 0; i < 3; ++i)
+        state[10 + i] = body.position[i] / length;
+      return state;
+    }
+
+    BodyState unpack(const OdeState &state, const double length)
+    {
+      BodyState body;
+      for (unsigned int i = 0; i < 6; ++i)
+        body.impulse[i] = state[i];
+      const Quaternion q = normalise({{state[6], state[7], state[8], state[9]}});
+      body.quaternion    = {
+             {q.R_component_1(), q.R_component_2(), q.R_component_3(), q.R_component_4()}};
+      for (unsigned int i = 0; i < 3; ++i)
+        body.position[i] = length * state[10 + i];
+      return body;
+    }
+
+    Tensor<1, 3> get_part(const Screw &screw, const unsigned int first)
+    {
+      return Point<3>(screw[first], screw[first + 1], screw[first + 2]);
+    }
+
+    OdeState compute_derivative(const MotionProblem &problem, const OdeState &state,
+                                const double time)
+    {
+      const BodyState body     = unpack(state, problem.length);
+      const double    argument = problem.rate * time;
+      const Screw     velocity =
+          problem.model->compute_motion(argument).compute_velocity(body.impulse, problem.rate);
+      const Tensor<1, 3> omega = get_part(velocity, 0), v = get_part(velocity, 3);
+      const Tensor<1, 3> Lambda = get_part(body.impulse, 0), Pi = get_part(body.impulse, 3);
+
+      BodyState    rate;
+      Tensor<1, 3> torque = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
+      Tensor<1, 3> force  = cross_product_3d(Pi, omega);
+      if (problem.force)
+      {
+        const Screw external = problem.force({argument, problem.rate, velocity});
+        torque += get_part(external, 0);
+        force += get_part(external, 3);
+      }
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        rate.impulse[d]     = torque[d];
+        rate.impulse[3 + d] = force[d];
+      }
+      const Quaternion q(body.quaternion[0], body.quaternion[1], body.quaternion[2],
+                         body.quaternion[3]);
+      const Quaternion turn = 0.5 * q * Quaternion(0., omega[0], omega[1], omega[2]);
+      rate.quaternion       = {
+                {turn.R_component_1(), turn.R_component_2(), turn.R_component_3(), turn.R_component_4()}};
+      rate.position = body.rotate(v);
+      return pack(rate, problem.length);
+    }
+  } // namespace
+
+  Tensor<1, 3> BodyState::rotate(const Tensor<1, 3> &V) const
+  {
+    return rotate_by(normalise(quaternion), V);
+  }
+
+  Tensor<1, 3> BodyState::rotate_back(const Tensor<1, 3> &V) const
+  {
+    return rotate_by(boost::math::conj(normalise(quaternion)), V);
+  }
+
+  void integrate_motion(const MotionProblem &problem, const BodyState &start,
+                        const std::vector<double>                            &times,
+                        const std::function<void(const BodyState &, double)> &observe)
+  {
+    OdeState   state  = pack(start, problem.length);
+    const auto system = [&](const OdeState &x, OdeState &rate, const double time) {
+      rate = compute_derivative(problem, x, time);
+    };
+    const auto observer = [&](const OdeState &x, const double time) {
+      for (const double value : x)
+        AssertThrow(std::isfinite(value),
+                    ExcMessage("The motion is not finite at the time " + std::to_string(time) +
+                               " s. Reduce Integration/Tolerance, or the steps of the output."));
+      observe(unpack(x, problem.length), time);
+    };
+
+    if (problem.integrator == Integrator::given_steps)
+    {
+      odeint::runge_kutta4<OdeState> stepper;
+      observer(state, times[0]);
+      for (std::size_t k = 1; k < times.size(); ++k)
+      {
+        stepper.do_step(system, state, times[k - 1], times[k] - times[k - 1]);
+        observer(state, times[k]);
+      }
+      return;
+    }
+    try
+    {
+      // The shape has to be seen often enough in each stroke for its error estimate.
+      const double largest_step = 0.5 / problem.rate;
+      odeint::integrate_times(odeint::make_controlled(problem.tolerance, problem.tolerance,
+                                                      largest_step,
+                                                      odeint::runge_kutta_dopri5<OdeState>()),
+                              system, state, times.begin(), times.end(), largest_step, observer,
+                              odeint::max_step_checker(1000000));
+    }
+    catch (const odeint::odeint_error &error)
+    {
+      AssertThrow(false,
+                  ExcMessage(std::string("The equations of motion can't be integrated: ") +
+                             error.what() + ". Give a larger value for Integration/Tolerance."));
+    }
+  }
+} // namespace caudal::potential

@@ -1,0 +1,196 @@
+#include <caudal/potential/stroke_model.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace caudal::potential
+{
+  namespace
+  {
+    /** (1/2) u.M u */
+    double compute_energy(const FullMatrix<double> &mass, const Vector<double> &u)
+    {
+      return 0.5 * mass.matrix_norm_square(u);
+    }
+
+    class BruteForce : public StrokeModel
+    {
+    public:
+      BruteForce(SwimmingShape &shape, const double increment)
+          : shape(shape)
+          , increment(increment)
+      {}
+
+      MotionCoefficients compute_motion(const double argument) override
+      {
+        return get(argument).state.motion;
+      }
+
+      StrokeState compute_state(const double argument) override
+      {
+        return get(argument).state;
+      }
+
+      std::vector<double> compute_torques(const double argument) override
+      {
+        const StrokeState   before = get(argument - increment).state;
+        const StrokeState   after  = get(argument + increment).state;
+        const StrokeState   at     = get(argument).state;
+        std::vector<double> torques;
+        for (std::size_t i = 0; i < at.momenta.size(); ++i)
+          torques.push_back((after.momenta[i] - before.momenta[i]) / (2. * increment) -
+                            at.energy_gradient[i]);
+        return torques;
+      }
+
+      Tensor<1, 3> compute_centre_rate(const double argument) override
+      {
+        const Tensor<1, 3> before = get(argument - increment).state.centre;
+        return (get(argument + increment).state.centre - before) / (2. * increment);
+      }
+
+      FullMatrix<double> compute_potentials(const double argument) override
+      {
+        return get(argument).potentials;
+      }
+
+    private:
+      struct Entry
+      {
+        double             argument;
+        StrokeState        state;
+        FullMatrix<double> potentials;
+      };
+
+      /** Computes it, unless it is one of the last few. */
+      const Entry &get(const double argument)
+      {
+        for (const auto &entry : entries)
+          if (entry->argument == argument)
+            return *entry;
+        auto entry      = std::make_unique<Entry>();
+        entry->argument = argument;
+        entry->state    = shape.compute_state(argument, &entry->potentials);
+        if (entries.size() > 8)
+          entries.erase(entries.begin());
+        entries.push_back(std::move(entry));
+        return *entries.back();
+      }
+
+      SwimmingShape                      &shape;
+      const double                        increment;
+      std::vector<std::unique_ptr<Entry>> entries;
+    };
+  } // namespace
+
+  Screw MotionCoefficients::compute_velocity(const Screw &impulse, const double rate) const
+  {
+    LAPACKFullMatrix<double> matrix(6, 6);
+    Vector<double>           q(6);
+    for (unsigned int i = 0; i < 6; ++i)
+    {
+      q(i) = impulse[i] - rate * momentum[i];
+      for (unsigned int j = 0; j < 6; ++j)
+        matrix(i, j) = mass[i][j];
+    }
+    matrix.set_property(LAPACKSupport::symmetric);
+    try
+    {
+      matrix.compute_cholesky_factorization();
+      matrix.solve(q);
+    }
+    catch (const ExceptionBase &)
+    {
+      AssertThrow(false, ExcMessage("The mass matrix of body and fluid is not positive definite: "
+                                    "the body's surface intersects itself, or is too coarse. "
+                                    "Reduce the deformation, or refine section Surface."));
+    }
+    Screw result;
+    for (unsigned int i = 0; i < 6; ++i)
+      result[i] = q(i);
+    return result;
+  }
+
+  double StrokeState::compute_energy_from_rest() const
+  {
+    return deformation_energy + 0.5 * (motion.momentum * motion.compute_velocity(Screw(), 1.));
+  }
+
+  SwimmingShape::SwimmingShape(const Surface &surface, const Deformation &deformation,
+                               const Gait &gait, const Densities &densities,
+                               const bool with_torques, const MPI_Comm communicator)
+      : surface(surface)
+      , deformation(deformation)
+      , gait(gait)
+      , densities(densities)
+      , with_torques(with_torques)
+      , boundary_elements(surface, communicator)
+  {}
+
+  FullMatrix<double> SwimmingShape::compute_mass(const std::vector<double> &c,
+                                                 FullMatrix<double>        *potentials)
+  {
+    Potentials         flow = boundary_elements.compute_potentials(deformation.place(c));
+    FullMatrix<double> mass = deformation.compute_body_mass(c);
+    mass *= densities.body;
+    mass.add(densities.fluid, flow.added_mass);
+    if (potentials != nullptr)
+      *potentials = std::move(flow.values);
+    return mass;
+  }
+
+  std::vector<double> SwimmingShape::compute_energy_gradient(const GaitState      &at,
+                                                             const Vector<double> &u)
+  {
+    const double        step = 1e-3;
+    std::vector<double> gradient(at.c.size(), 0.);
+    for (unsigned int i = 0; with_torques && i < at.c.size(); ++i)
+      for (const double sign : {-1., 1.})
+      {
+        std::vector<double> c = at.c;
+        c[i] += sign * step;
+        gradient[i] += sign * compute_energy(compute_mass(c), u) / (2. * step);
+      }
+    return gradient;
+  }
+
+  StrokeState SwimmingShape::compute_state(const double argument, FullMatrix<double> *potentials)
+  {
+    const GaitState    at = gait.evaluate(argument);
+    const unsigned int n  = deformation.n_modes();
+    StrokeState        state;
+    state.rates                   = at.rates;
+    const FullMatrix<double> mass = compute_mass(at.c, potentials);
+    for (unsigned int i = 0; i < 6; ++i)
+    {
+      for (unsigned int j = 0; j < 6; ++j)
+        state.motion.mass[i][j] = mass(i, j);
+      for (unsigned int j = 0; j < n; ++j)
+        state.motion.momentum[i] += mass(i, 6 + j) * at.rates[j];
+    }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        state.deformation_energy += 0.5 * at.rates[i] * mass(6 + i, 6 + j) * at.rates[j];
+
+    // The block between rotation and translation of the body's own mass is m c^.
+    const FullMatrix<double> body = deformation.compute_body_mass(at.c);
+    state.centre                  = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
+
+    // u = (q, c') from rest
+    const Screw    q = state.motion.compute_velocity(Screw(), 1.);
+    Vector<double> u(6 + n), momenta(6 + n);
+    for (unsigned int i = 0; i < 6; ++i)
+      u(i) = q[i];
+    for (unsigned int i = 0; i < n; ++i)
+      u(6 + i) = at.rates[i];
+    mass.vmult(momenta, u);
+    state.momenta.assign(momenta.begin() + 6, momenta.end());
+    state.energy_gradient = compute_energy_gradient(at, u);
+    return state;
+  }
+
+  std::unique_ptr<StrokeModel> create_brute_force(SwimmingShape &shape, const double increment)
+  {
+    return std::make_unique<BruteForce>(shape, increment);
+  }
+} // namespace caudal::potential

@@ -1,0 +1,73 @@
+# Runs of the potential model: files and their contents, several frequencies from one table, two
+# ranks, brute force, resistance, a control file, a body from a file.
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
+cat >fish.prm <<'PRM'
+set Model = potential
+subsection Time
+  set End time   = 2.2
+  set Step       = 0.1
+  set First step = 0.05
+  set First part = 0.5
+end
+subsection Surface
+  set Cells along  = 3
+  set Cells across = 2
+end
+subsection Shape
+  set Stations = 0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3
+end
+subsection Gait
+  set Frequency = 1
+end
+subsection Integration
+  set Phases = 24
+end
+subsection Output
+  set Folder             = fish
+  set Interval of fields = 1
+end
+PRM
+
+caudal fish.prm
+check "rows of the schedule" "$(column time fish/statistics.txt | wc -l) == 28"
+ls fish fish/fields
+grep -c "DataSet timestep" fish/solution.pvd
+grep -q "no viscous drag" fish/summary.txt && grep -q "no viscous drag" fish/log.txt && echo "the ideal fluid is explained"
+result() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } END { print $c }' "$1/summary.csv"; }
+stroke=$(result fish "displacement a stroke [cm]")
+check "it swims" "$stroke > 0.1"
+check "distance and strokes agree" "($(result fish "distance [cm]") / 2.2 / $stroke - 1)^2 < 0.05"
+check "some power is not returned at once" "$(result fish "mean gross power [W]") > $(result fish "mean positive power [W]")"
+check "work of the joints is the energy's change" "($(column power fish/statistics.txt | tail -n 1))^2 < 1e-4"
+
+caudal fish.prm -D "Output/Folder=two" -D "Gait/Frequency=1, 2" -D "Integration/Torques=false"
+ls two
+tail -n +2 two/summary.csv | awk -F, '{ printf "%.4f ", $7 / '"$stroke"' } END { print "" }'
+check "energy grows with the frequency squared" "($(tail -n 1 two/summary.csv | cut -d, -f 10) / $(sed -n 2p two/summary.csv | cut -d, -f 10) - 4)^2 < 1e-12"
+
+mpirun -np 2 "$CAUDAL" fish.prm -D "Output/Folder=ranks" >/dev/null
+check "two ranks" "($(result ranks "displacement a stroke [cm]") / $stroke - 1)^2 < 1e-16"
+caudal fish.prm -D "Output/Folder=brute" -D "Integration/Method=brute force" -D "Integration/Torques=false" -D "Time/Step=0.05"
+check "brute force" "($(result brute "displacement a stroke [cm]") / $stroke - 1)^2 < 1e-8"
+mpirun -np 2 "$CAUDAL" fish.prm -D "Output/Folder=brute2" -D "Integration/Method=brute force" \
+  -D "Integration/Torques=false" -D "Time/Step=0.05" >/dev/null
+check "brute force on two ranks" "($(result brute2 "displacement a stroke [cm]") / $(result brute "displacement a stroke [cm]") - 1)^2 < 1e-16"
+
+caudal fish.prm -D "Output/Folder=heavy" -D "Integration/Torques=false" -D "Body/Density=2000"
+check "a heavier body swims a different distance" "($(result heavy "displacement a stroke [cm]") / $stroke - 1)^2 > 1e-4"
+caudal fish.prm -D "Output/Folder=impulse" -D "Integration/Torques=false" -D "Body/Linear impulse=-1e-4, 0, 0"
+check "a pushed fish is faster" "$(result impulse "distance [cm]") > $(result fish "distance [cm]")"
+caudal fish.prm -D "Output/Folder=drag" -D "Integration/Torques=false" -D "Body/Linear impulse=-1e-4, 0, 0" \
+  -D "Resistance/Active=true" -D "Resistance/Drag coefficient=1" -D "Gait/Type=none"
+check "resistance takes impulse" "$(column "x of linear impulse in body frame" drag/statistics.txt | tail -n 1) > -0.9e-4"
+
+awk 'BEGIN { for (k = 0; k <= 12; k++) { printf "%g", k / 10; for (i = 1; i <= 6; i++) printf " %g", 30 * sin(3.14159265 * k / 12) * sin(3.14159265 * (k / 6 - i / 7)); print "" } }' >control.txt
+caudal fish.prm -D "Output/Folder=control" -D "Integration/Torques=false" -D "Gait/Type=table" \
+  -D "Gait/Table/File=control.txt" -D "Gait/Table/Periodic=false" -D "Time/End time=1.2" -D "Time/First part=0"
+check "a C-start moves the fish" "$(result control "distance [cm]") > 0.1"
+
+caudal fish.prm -D "Output/Folder=still" -D "Integration/Torques=false" -D "Gait/Wave number=0"
+check "a reciprocal stroke does not swim" "$(result still "displacement a stroke [cm]") / $stroke < 1e-5"
+
+"$CAUDAL" --print-parameters fish.prm | grep -q "set Cells across" && echo "its own parameters are printed"
