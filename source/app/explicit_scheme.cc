@@ -34,6 +34,7 @@ namespace caudal
         const bool   is_first   = stepper.get_previous_step() == 0;
         unsigned int iterations = 0;
         FieldVector  convecting = system.fluid.velocity;
+        convecting.update_ghost_values(); // which a copy does not have
         for (unsigned int stage = 0; stage < (is_first ? 2 : 1); ++stage)
         {
           for (const auto &body : system.bodies)
