@@ -28,3 +28,22 @@ compute() {
 check() {
   awk "BEGIN { print \"$1: \" (($2) ? \"yes\" : \"no ($2)\") }"
 }
+
+# refuse TEXT ARGUMENTS: prints the text and what the program says as it refuses these.
+# It must leave no folder called results.
+refuse() {
+  echo "* $1"
+  shift
+  "$CAUDAL" "$@" >printed 2>errors </dev/null
+  code=$?
+  sed -n '/^Error/,$ s/^/    /p' errors
+  [ $code -eq 1 ] || echo "    exit code $code"
+  [ ! -s printed ] || cat printed
+  [ ! -e results ] || echo "    there is a folder of results"
+  rm -rf results
+}
+
+# override ENTRY VALUE: the same for good.prm with this entry.
+override() {
+  refuse "$1 = $2" good.prm -D "$1=$2"
+}

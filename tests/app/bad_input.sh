@@ -1,5 +1,7 @@
 # What can be wrong with a case is said in a sentence before anything is written.
 
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
 cat >good.prm <<'END'
 set Bodies = fish
 subsection Time
@@ -26,24 +28,6 @@ subsection Output
   set Folder = results
 end
 END
-
-# refuse TEXT ARGUMENTS: prints what is said of these.
-refuse() {
-  echo "* $1"
-  shift
-  "$CAUDAL" "$@" >printed 2>errors </dev/null
-  code=$?
-  sed -n '/^Error/,$ s/^/    /p' errors
-  [ $code -eq 1 ] || echo "    exit code $code"
-  [ ! -s printed ] || cat printed
-  [ ! -e results ] || echo "    there is a folder of results"
-  rm -rf results
-}
-
-# override ENTRY VALUE
-override() {
-  refuse "$1 = $2" good.prm -D "$1=$2"
-}
 
 refuse "no file"
 refuse "a file that is not there" nothing.prm

@@ -1,6 +1,8 @@
 # What can be wrong with a case of the potential model is said in a sentence before anything is
 # written.
 
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
 cat >good.prm <<'PRM'
 set Model = potential
 subsection Time
@@ -24,24 +26,6 @@ subsection Output
   set Interval of fields = 1
 end
 PRM
-
-# refuse TEXT ARGUMENTS: prints what is said of these.
-refuse() {
-  echo "* $1"
-  shift
-  "$CAUDAL" "$@" >printed 2>errors </dev/null
-  code=$?
-  sed -n '/^Error/,$ s/^/    /p' errors
-  [ $code -eq 1 ] || echo "    exit code $code"
-  [ ! -s printed ] || cat printed
-  [ ! -e results ] || echo "    there is a folder of results"
-  rm -rf results
-}
-
-# override ENTRY VALUE
-override() {
-  refuse "$1 = $2" good.prm -D "$1=$2"
-}
 
 override "Model" sailing
 printf 'include good.prm\nsubsection Gait\n  set Frequenzy = 3\nend\n' >unknown.prm
