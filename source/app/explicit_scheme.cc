@@ -26,8 +26,8 @@ namespace caudal
         {
           body->prepare_step(stepper.get_time(), step);
           body->new_positions = body->solid.positions;
-          if (!body->solid.is_fixed())
-            body->new_positions.add(step, body->solid.velocity);
+          body->new_positions.add(step, body->solid.velocity);
+          body->solid.restore_fixed_nodes(body->new_positions);
         }
         const std::vector<Vector<double>> predicted = get_positions();
 
@@ -128,13 +128,12 @@ namespace caudal
       {
         body.interaction.interpolate(new_velocity, body.new_velocity);
         body.solid.apply_inverse_mass(body.new_velocity);
-        if (body.solid.is_fixed())
-          return;
         Vector<double> old_velocity(body.solid.n_dofs());
         body.interaction.interpolate(system.fluid.velocity, old_velocity);
         body.solid.apply_inverse_mass(old_velocity);
         body.new_positions = body.solid.positions;
         body.new_positions.add(0.5 * step, old_velocity, 0.5 * step, body.new_velocity);
+        body.solid.restore_fixed_nodes(body.new_positions);
       }
     };
   } // namespace

@@ -25,11 +25,8 @@ namespace caudal
     {
       // Where the body is now and where it will be in a step or two.
       Vector<double> next(body->solid.positions);
-      if (!body->solid.is_fixed())
-      {
-        next *= 2;
-        next -= body->solid.old_positions;
-      }
+      next *= 2;
+      next -= body->solid.old_positions;
       cells.add(body->solid.compute_cell_boxes(body->solid.positions),
                 body->interaction.get_support() + margin);
       cells.add(body->solid.compute_cell_boxes(next), body->interaction.get_support() + margin);

@@ -16,6 +16,7 @@ namespace caudal
                        ? folder.path("statistics.txt")
                        : "")
       , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator())
+      , forces(system)
       , flow(summarise_flow(system.space, system.fluid.velocity))
   {
     ledger.initial_kinetic_energy = ledger.kinetic_energy = flow.kinetic_energy;
@@ -44,6 +45,7 @@ namespace caudal
     TimerOutput::Scope timer_section(system.timer, "output");
     flow = summarise_flow(system.space, system.fluid.velocity);
     update_ledger(stepper.get_previous_step());
+    forces.update(stepper.get_time());
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
       if (swim_reports[b])
       {
@@ -101,11 +103,12 @@ namespace caudal
     statistics.set("max velocity", "m/s", flow.largest_velocity);
     statistics.set("divergence", "m/s", flow.divergence_norm);
     double identity = 0;
-    for (const auto &body : system.bodies)
+    for (unsigned int b = 0; b < system.bodies.size(); ++b)
     {
-      set_body_statistics(*body);
-      identity = std::max(identity, body->power_identity);
+      set_body_statistics(b);
+      identity = std::max(identity, system.bodies[b]->power_identity);
     }
+    forces.set_control_volume_statistics(statistics);
     statistics.set("kinetic energy", "J/m", ledger.kinetic_energy);
     statistics.set("dissipation", "J/m", ledger.dissipation);
     statistics.set("energy residual", "J/m", ledger.get_residual());
@@ -136,10 +139,11 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::set_body_statistics(const SwimmingBody<dim> &body)
+  void RunOutput<dim>::set_body_statistics(const unsigned int b)
   {
-    const std::string     prefix = body.get_name() + ": ";
-    const SolidBody<dim> &solid  = body.solid;
+    const SwimmingBody<dim> &body   = *system.bodies[b];
+    const std::string        prefix = body.get_name() + ": ";
+    const SolidBody<dim>    &solid  = body.solid;
     const char *const axes = "xyz", *const velocities = "uvw";
     for (unsigned int k = 0; k < solid.get_parameters().monitored_points.size(); ++k)
     {
@@ -153,16 +157,11 @@ namespace caudal
     }
     const Tensor<1, dim> center = solid.compute_mean(solid.positions);
     const Tensor<1, dim> mean   = solid.compute_mean(solid.velocity);
-    Tensor<1, dim>       force;
-    for (const auto &node : solid.get_nodes())
-      for (unsigned int d = 0; d < dim; ++d)
-        force[d] -= solid.get_nodal_volumes()[node[d]] * solid.force_density[node[d]];
     for (unsigned int d = 0; d < dim; ++d)
       statistics.set(prefix + axes[d] + " of centre of mass", "m", center[d]);
     for (unsigned int d = 0; d < dim; ++d)
       statistics.set(prefix + velocities[d] + " of centre of mass", "m/s", mean[d]);
-    for (unsigned int d = 0; d < dim; ++d)
-      statistics.set(prefix + "force " + axes[d] + " of the fluid", "N/m", force[d]);
+    forces.set_body_statistics(b, statistics);
     statistics.set(prefix + "area change", "", body.deformation.volume_change);
     statistics.set(prefix + "min J", "", body.deformation.smallest_jacobian);
     statistics.set(prefix + "max J", "", body.deformation.largest_jacobian);

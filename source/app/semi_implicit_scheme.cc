@@ -106,12 +106,11 @@ namespace caudal
                                         const TimeWeights       &weights) const
       {
         const SolidBody<dim> &solid = body.solid;
-        if (solid.is_fixed())
-          return solid.initial_positions;
         Vector<double> positions(body.new_velocity);
         positions.add(-weights.derivative[1], solid.positions, -weights.derivative[2],
                       solid.old_positions);
         positions /= weights.derivative[0];
+        solid.restore_fixed_nodes(positions);
         return positions;
       }
 
@@ -125,11 +124,14 @@ namespace caudal
         BodyEquations              &equations = body.equations;
         body.assemble_forces(predicted, stepper.get_next_time(), true);
 
-        // b linearised in U, since X^{n+1} = ... + U^{n+1} / derivative[0]
-        const double move = solid.is_fixed() ? 0 : 1 / weights.derivative[0];
-        body.response.copy_from(solid.get_feedback_damping());
-        body.response.add(move, body.elastic_system.stiffness);
-        body.response.add(move, solid.get_feedback_stiffness());
+        // b linearised in U, since X^{n+1} = ... + U^{n+1} / derivative[0] where X is free.
+        body.response.copy_from(body.elastic_system.stiffness);
+        body.response.add(1, solid.get_feedback_stiffness());
+        body.response /= weights.derivative[0];
+        for (auto entry : body.response)
+          if (solid.is_fixed(entry.column()))
+            entry.value() = 0;
+        body.response.add(1, solid.get_feedback_damping());
         body.response.add(solid.get_excess_density() * weights.derivative[0], mass);
 
         Vector<double> force = body.compute_feedback_force(predicted, body.new_velocity);

@@ -250,9 +250,10 @@ namespace caudal
     const double work = driving_force * displacement;
     muscle_work += work;
     muscle_power = work / step;
-    // A fixed body moves through the fluid rather than with its points.
-    if (solid.is_fixed())
-      displacement.equ(step, new_velocity);
+    // Fluid moves through fixed nodes rather than with them.
+    for (unsigned int i = 0; i < solid.n_dofs(); ++i)
+      if (solid.is_fixed(i))
+        displacement[i] = step * new_velocity[i];
     feedback_work += new_feedback_force * displacement;
 
     solid.old_positions = solid.positions;

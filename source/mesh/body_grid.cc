@@ -16,7 +16,8 @@ namespace caudal
     prm.add_parameter(
         "Type", type,
         "Shape of the body: a NACA four-digit airfoil (naca), a disc, an ellipse, a "
-        "ring, a beam or rectangle, Carling's eel, or a mesh from a file. In 3D: disc "
+        "ring, a beam or rectangle, Carling's eel, a cylinder with flag (Turek and Hron's; its "
+        "regions are cylinder and flag), or a mesh from a file. In 3D: disc "
         "(a ball), ellipse (an ellipsoid), beam, rectangle (boxes) and file.",
         Patterns::Selection(get_body_shapes<2>().get_names()));
     prm.add_parameter("NACA digits", naca_digits,
@@ -25,23 +26,23 @@ namespace caudal
     prm.add_parameter(
         "Length", length,
         "Length along the axis [m]: chord of naca, length of eel, beam and rectangle, "
-        "full axis of ellipse.",
+        "full axis of ellipse, part of the flag that sticks out of the cylinder.",
         any_number);
     prm.add_parameter("Thickness", thickness,
-                      "Extent across the axis [m]: height of beam and rectangle, full second axis "
-                      "of ellipse.",
+                      "Extent across the axis [m]: height of beam, rectangle and flag, full second "
+                      "axis of ellipse.",
                       any_number);
     prm.add_parameter("Width", width,
                       "Extent in the third direction [m] of beam, rectangle and ellipse; 3D only.",
                       any_number);
-    prm.add_parameter("Radius", radius, "Radius of disc, inner radius of ring [m].", any_number);
+    prm.add_parameter("Radius", radius, "Radius of disc and cylinder, inner radius of ring [m].", any_number);
     prm.add_parameter("Wall thickness", wall_thickness, "Outer minus inner radius of ring [m].",
                       any_number);
     prm.add_parameter(
         "Elements", elements,
         "Number of elements along and across the body (3D: along, across, in the third "
-        "direction); round and across the wall of ring. The round nose of naca and eel "
-        "adds a few. Of disc and ellipse only the product counts: they get about that many "
+        "direction); round and across the wall of ring; of the flag alone. The round nose of "
+        "naca and eel adds a few. Of disc and ellipse only the product counts: they get about that many "
         "elements.",
         Patterns::List(Patterns::Integer(1), dim, dim));
     prm.add_parameter(
@@ -52,7 +53,7 @@ namespace caudal
     prm.add_parameter(
         "Position", position,
         "Where the origin of the shape is put at the start [m]: nose of naca and eel, "
-        "middle of the root edge of beam, centre of disc, ellipse, ring and rectangle, "
+        "middle of the root edge of beam, centre of disc, cylinder, ellipse, ring and rectangle, "
         "origin of the mesh from a file.");
     prm.add_parameter("Rotation", rotation,
                       "Angle from the x axis to the axis of the shape, about its origin "
@@ -61,7 +62,7 @@ namespace caudal
     prm.add_parameter("Region boundaries", region_boundaries,
                       "Places, as increasing fractions of the length, that separate the regions of "
                       "the body, from the front (low x) to the back; none: one region. Not for the "
-                      "type file.",
+                      "types file and cylinder with flag.",
                       Patterns::List(Patterns::Double(0., 1.), 0));
     prm.leave_subsection();
   }
@@ -121,23 +122,25 @@ namespace caudal
                       const unsigned int n_regions, const std::string &path)
   {
     parameters.check(path);
-    const bool        from_file = parameters.type == "file";
-    const std::string shape     = path + "/Shape/";
-
+    const auto         shape        = get_body_shapes<dim>().create(parameters.type, parameters);
+    const bool         divided      = shape->has_own_regions();
+    const bool         from_file    = parameters.type == "file";
+    const std::string  entries      = path + "/Shape/";
     const unsigned int n_boundaries = parameters.region_boundaries.size();
-    AssertThrow(n_boundaries == (from_file ? 0 : n_regions - 1),
-                ExcMessage(shape + "Region boundaries: there are " + std::to_string(n_boundaries) +
-                           ", but the body has " + std::to_string(n_regions) + " regions. Give " +
-                           (from_file ? "none, as the file has regions of its own."
-                                      : "one fewer than regions.")));
+    AssertThrow(n_boundaries == (divided ? 0 : n_regions - 1),
+                ExcMessage(entries + "Region boundaries: there are " +
+                           std::to_string(n_boundaries) + ", but the body has " +
+                           std::to_string(n_regions) + " regions. Give " +
+                           (divided ? "none, as a " + parameters.type + " has regions of its own."
+                                    : "one fewer than regions.")));
 
-    get_body_shapes<dim>().create(parameters.type, parameters)->make_grid(tria, path);
+    shape->make_grid(tria, path);
     tria.reset_all_manifolds();
     tria.set_all_manifold_ids(numbers::flat_manifold_id);
 
-    number_regions(tria, n_regions, shape + (from_file ? "File" : "Region boundaries"));
+    number_regions(tria, n_regions, entries + (from_file ? "File" : divided ? "Type" : "Region boundaries"));
     AssertThrow(compute_min_scaled_jacobian(tria) > 0.,
-                ExcMessage(shape + (from_file ? "File" : "Elements") +
+                ExcMessage(entries + (from_file ? "File" : "Elements") +
                            ": the grid has inverted or non-convex cells (scaled Jacobian " +
                            std::to_string(compute_min_scaled_jacobian(tria)) +
                            "). Give a better one."));

@@ -1,10 +1,9 @@
-#include <deal.II/fe/mapping_q.h>
-
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <caudal/mesh/body_shape.h>
+#include <caudal/mesh/cylinder_with_flag.h>
 #include <caudal/mesh/outline.h>
 
 #include <algorithm>
@@ -137,35 +136,6 @@ namespace caudal
       }
     };
 
-    /** Splits each cell of the curved @p coarse into @p n straight-sided ones in each direction. */
-    template <int dim>
-    void subdivide(const Triangulation<dim> &coarse, const unsigned int n, Triangulation<dim> &tria)
-    {
-      Triangulation<dim> pattern;
-      GridGenerator::subdivided_hyper_cube(pattern, n);
-
-      // Degree 8 meets a circle of eight arcs to 1e-9.
-      const MappingQ<dim>        mapping(8);
-      std::vector<Point<dim>>    vertices;
-      std::vector<CellData<dim>> cells;
-      for (const auto &coarse_cell : coarse.active_cell_iterators())
-      {
-        const unsigned int first = vertices.size();
-        for (const Point<dim> &unit_point : pattern.get_vertices())
-          vertices.push_back(mapping.transform_unit_to_real_cell(coarse_cell, unit_point));
-        for (const auto &cell : pattern.active_cell_iterators())
-        {
-          cells.emplace_back();
-          for (const unsigned int v : cell->vertex_indices())
-            cells.back().vertices[v] = first + cell->vertex_index(v);
-        }
-      }
-      SubCellData               no_faces;
-      std::vector<unsigned int> all_vertices;
-      GridTools::delete_duplicated_vertices(vertices, cells, no_faces, all_vertices, 1e-8);
-      tria.create_triangulation(vertices, cells, no_faces);
-    }
-
     /** The ellipsoid with these semi-axes, of about @p n_cells cells: 12 m^2 (2D) or 32 m^3 (3D).
      */
     template <int dim>
@@ -297,6 +267,33 @@ namespace caudal
       const double origin;
     };
 
+    class FlagShape : public BodyShape<2>
+    {
+    public:
+      using BodyShape<2>::BodyShape;
+
+      void check(const std::string &path) const override
+      {
+        require_positive(parameters.radius, path, "Radius");
+        require_positive(parameters.length, path, "Length");
+        require_positive(parameters.thickness, path, "Thickness");
+        require(parameters.thickness < parameters.radius, path, "Thickness",
+                "the flag is thicker than the cylinder's radius. Give a thinner flag or a larger "
+                "Shape/Radius.");
+      }
+
+      bool has_own_regions() const override
+      {
+        return true;
+      }
+
+      void make_grid(Triangulation<2> &tria, const std::string &) const override
+      {
+        make_cylinder_with_flag(tria, parameters.radius, parameters.length, parameters.thickness,
+                                parameters.elements[0], parameters.elements[1]);
+      }
+    };
+
     /** A gmsh mesh; the physical ids are the regions, in increasing order. */
     template <int dim>
     class FileShape : public BodyShape<dim>
@@ -311,6 +308,11 @@ namespace caudal
                 "no file is given. Give the name of a gmsh mesh (.msh).");
         require(std::ifstream(file).good(), path, "File",
                 "<" + file + "> can't be opened. Give the name of a gmsh mesh (.msh).");
+      }
+
+      bool has_own_regions() const override
+      {
+        return true;
       }
 
       void make_grid(Triangulation<dim> &tria, const std::string &path) const override
@@ -400,6 +402,7 @@ namespace caudal
         creators["naca"] = create<NacaShape, dim>;
         creators["eel"]  = create<EelShape, dim>;
         creators["ring"] = create<RingShape, dim>;
+        creators["cylinder with flag"] = create<FlagShape, dim>;
       }
       return creators;
     }

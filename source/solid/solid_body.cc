@@ -38,6 +38,7 @@ namespace caudal
   void SolidBody<dim>::set_up_nodes()
   {
     reference_points.resize(n_dofs());
+    fixed_dofs.assign(n_dofs(), false);
     DoFTools::map_dofs_to_support_points(MappingQ1<dim>(), dof_handler, reference_points);
 
     // By the unknown of the first component.
@@ -46,6 +47,9 @@ namespace caudal
     for (const auto &cell : dof_handler.active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
+      if (parameters.region_parameters[cell->material_id()]->motion == "fixed")
+        for (const auto dof : dofs)
+          fixed_dofs[dof] = true;
       for (unsigned int a = 0; a < dofs.size() / dim; ++a)
       {
         Node node;
@@ -72,6 +76,14 @@ namespace caudal
     old_positions = initial_positions;
     for (Vector<double> *vector : {&velocity, &old_velocity, &force_density})
       vector->reinit(n_dofs());
+  }
+
+  template <int dim>
+  void SolidBody<dim>::restore_fixed_nodes(Vector<double> &x) const
+  {
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      if (fixed_dofs[i])
+        x[i] = initial_positions[i];
   }
 
   template <int dim>

@@ -21,6 +21,10 @@ namespace caudal
     prm.add_parameter("Feedback directions", feedback_directions,
                       "The directions in which the feedback force acts: letters of xyz.",
                       Patterns::Selection("x|y|z|xy|xz|yz|xyz"));
+    prm.add_parameter("Motion", motion,
+                      "free: the region moves with the fluid; fixed: its points stay where they "
+                      "are. This suits what is rigid and held by a feedback damping.",
+                      Patterns::Selection("free|fixed"));
   }
 
   void RegionParameters::check(const std::string &path) const
@@ -54,10 +58,6 @@ namespace caudal
     prm.add_parameter("Polynomial degree", polynomial_degree,
                       "Degree of the body's finite elements [1].", Patterns::Integer(1, 2));
     prm.add_parameter("Density", density, "Density of the body [kg/m^3]; 0: that of the fluid.");
-    prm.add_parameter("Motion", motion,
-                      "free: the body moves with the fluid; fixed: its points stay where they are, "
-                      "which suits rigid obstacles held by a feedback damping.",
-                      Patterns::Selection("free|fixed"));
     prm.add_parameter("Monitored points", monitored_points,
                       "Points of the body, in its own frame, whose position and velocity become "
                       "part of the statistics; coordinates separated by ',', points by ';' [m].");

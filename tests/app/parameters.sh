@@ -28,7 +28,9 @@ subsection Body fish
   end
 end
 subsection Body disc
-  set Motion = fixed
+  subsection Region body
+    set Motion = fixed
+  end
   subsection Shape
     set Type     = disc
     set Position = 0.5, 1

@@ -1,6 +1,7 @@
 #ifndef caudal_app_run_output_h
 #define caudal_app_run_output_h
 
+#include <caudal/app/force_account.h>
 #include <caudal/app/parameters.h>
 #include <caudal/app/time_scheme.h>
 #include <caudal/io/log.h>
@@ -56,6 +57,7 @@ namespace caudal
     FieldOutput                              field_output;
     std::vector<std::unique_ptr<SwimReport>> swim_reports;
     std::vector<Tensor<1, dim>>              initial_centers;
+    ForceAccount<dim>                        forces;
     EnergyLedger                             ledger;
     FlowSummary<dim>                         flow;
     double                                   last_dissipation = 0; // [W/m]
@@ -66,7 +68,7 @@ namespace caudal
     void write_statistics(const TimeStepper &stepper, const StepResult &result,
                           unsigned int n_cells);
     void set_probe_statistics();
-    void set_body_statistics(const SwimmingBody<dim> &body);
+    void set_body_statistics(unsigned int body);
     void write_fluid(double time);
     void write_body(const SwimmingBody<dim> &body, double time);
   };

@@ -35,6 +35,7 @@ namespace caudal
     std::string body_force;
     std::string exact_solution;
 
+    std::vector<Point<dim>>  control_volume;
     std::vector<Point<dim>>  probes;
     std::vector<std::string> boundary_names = std::vector<std::string>(2 * dim, "wall");
 

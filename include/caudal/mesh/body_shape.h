@@ -26,6 +26,15 @@ namespace caudal
     virtual void check(const std::string &path) const = 0;
 
     /**
+     * Whether the shape itself divides the body into regions; otherwise entry
+     * `Region boundaries` does.
+     */
+    virtual bool has_own_regions() const
+    {
+      return false;
+    }
+
+    /**
      * Makes the grid in the body's own frame [m]. There is one material id for
      * each region, in the regions' order.
      */

@@ -47,10 +47,14 @@ namespace caudal
     {
       return dof_handler.n_dofs();
     }
-    bool is_fixed() const
+    /** Whether this unknown's node belongs to a region that stays where it is. */
+    bool is_fixed(const unsigned int dof) const
     {
-      return parameters.motion == "fixed";
+      return fixed_dofs[dof];
     }
+    /** Puts the nodes of fixed regions back to where they were at the start. */
+    void restore_fixed_nodes(Vector<double> &positions) const;
+
     const StressModel<dim> &get_stress_model(const unsigned int region) const
     {
       return *stress_models[region];
@@ -169,6 +173,7 @@ namespace caudal
     QuadratureData                                 quadrature_data;
     std::vector<Node>                              nodes, head_nodes;
     std::vector<Point<dim>>                        reference_points;
+    std::vector<bool>                              fixed_dofs;
     Vector<double>                                 nodal_volumes;
 
     struct PointValue

@@ -16,6 +16,7 @@ namespace caudal
     double             feedback_stiffness        = 0;
     double             feedback_damping          = 0;
     std::string        feedback_directions       = "xyz";
+    std::string        motion                    = "free";
 
     void add_parameters(ParameterHandler &prm);
     void check(const std::string &path) const;
@@ -30,7 +31,6 @@ namespace caudal
 
     unsigned int            polynomial_degree = 1;
     double                  density           = 0;
-    std::string             motion            = "free";
     std::vector<Point<dim>> monitored_points;
 
     BodyGridParameters<dim>                        grid;

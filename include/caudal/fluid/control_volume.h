@@ -1,0 +1,36 @@
+#ifndef caudal_fluid_control_volume_h
+#define caudal_fluid_control_volume_h
+
+#include <caudal/fluid/fluid_state.h>
+
+#include <deal.II/base/bounding_box.h>
+
+namespace caudal
+{
+  /** What the momentum balance of a control volume is made of (per metre of span in 2D). */
+  template <int dim>
+  struct MomentumBalance
+  {
+    /** rho int_V u [kg m/s per m] */
+    Tensor<1, dim> momentum;
+    /**
+     * The forces on the fluid in V but for that of immersed bodies,
+     *   closed int (-p n + mu du/dn + rho gamma (div u) n - rho u (u.n)) + int_V f [N/m],
+     * the momentum that flows in among them.
+     */
+    Tensor<1, dim> force;
+  };
+
+  /**
+   * The balance for the control volume V of all coarse cells whose centre is in @p box.
+   * On its surface pressure and gradients are the means from both sides.
+   * Immersed bodies in V exert the force d(momentum)/dt - force on the fluid.
+   * Collective.
+   */
+  template <int dim>
+  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim> &space,
+                                                const FluidState<dim> &state,
+                                                const BoundingBox<dim> &box, double time);
+} // namespace caudal
+
+#endif

@@ -1,0 +1,118 @@
+#include <caudal/app/force_account.h>
+#include <caudal/fluid/control_volume.h>
+
+namespace caudal
+{
+  template <int dim>
+  void BackwardDifference<dim>::add(const double time, const Tensor<1, dim> &value)
+  {
+    samples.emplace_back(time, value);
+    if (samples.size() > 3)
+      samples.pop_front();
+  }
+
+  template <int dim>
+  Tensor<1, dim> BackwardDifference<dim>::get_derivative() const
+  {
+    const unsigned int n = samples.size();
+    if (n < 2)
+      return Tensor<1, dim>();
+    const auto slope = [this](const unsigned int i) {
+      return (samples[i].second - samples[i - 1].second) /
+             (samples[i].first - samples[i - 1].first);
+    };
+    if (n == 2)
+      return slope(1);
+    // The derivative at its last point of the parabola through the three samples.
+    const double step  = samples[2].first - samples[1].first;
+    const double range = samples[2].first - samples[0].first;
+    return slope(2) + step / range * (slope(2) - slope(1));
+  }
+
+  namespace
+  {
+    /** The sum of a vector's entries over the nodes, weighted. */
+    template <int dim>
+    Tensor<1, dim> sum_over_nodes(const SolidBody<dim> &solid, const Vector<double> &vector,
+                                  const Vector<double> *weights = nullptr)
+    {
+      Tensor<1, dim> sum;
+      for (const auto &node : solid.get_nodes())
+        for (unsigned int d = 0; d < dim; ++d)
+          sum[d] += vector[node[d]] * (weights != nullptr ? (*weights)[node[d]] : 1.);
+      return sum;
+    }
+
+    template <int dim>
+    bool is_held(const SolidBody<dim> &solid)
+    {
+      return solid.get_feedback_stiffness().linfty_norm() > 0 ||
+             solid.get_feedback_damping().linfty_norm() > 0;
+    }
+
+    template <int dim>
+    void set_vector(Statistics &statistics, const std::string &name, const std::string &cause,
+                    const Tensor<1, dim> &force)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        statistics.set(name + " " + "xyz"[d] + " " + cause, "N/m", force[d]);
+    }
+  } // namespace
+
+  template <int dim>
+  ForceAccount<dim>::ForceAccount(const ImmersedSystem<dim> &system)
+      : system(system)
+      , body_momenta(system.bodies.size())
+      , body_forces(system.bodies.size())
+      , feedback_forces(system.bodies.size())
+  {
+    const auto &corners = system.space.get_parameters().control_volume;
+    if (!corners.empty())
+      control_volume.emplace(std::make_pair(corners[0], corners[1]));
+  }
+
+  template <int dim>
+  void ForceAccount<dim>::update(const double time)
+  {
+    const double   density = system.space.get_parameters().density;
+    Tensor<1, dim> inertia;
+    for (unsigned int b = 0; b < system.bodies.size(); ++b)
+    {
+      const SwimmingBody<dim> &body  = *system.bodies[b];
+      const SolidBody<dim>    &solid = body.solid;
+      const auto              &size  = solid.get_nodal_volumes();
+      body_momenta[b].add(time, density * sum_over_nodes(solid, solid.velocity, &size));
+      const Tensor<1, dim> change = body_momenta[b].get_derivative();
+      inertia += change;
+      body_forces[b]     = change - sum_over_nodes(solid, solid.force_density, &size);
+      feedback_forces[b] = change - sum_over_nodes(solid, body.new_feedback_force);
+    }
+    if (!control_volume)
+      return;
+    const MomentumBalance<dim> balance =
+        compute_momentum_balance(system.space, system.fluid, *control_volume, time);
+    flow_momentum.add(time, balance.momentum);
+    control_volume_force = inertia + balance.force - flow_momentum.get_derivative();
+  }
+
+  template <int dim>
+  void ForceAccount<dim>::set_body_statistics(const unsigned int b, Statistics &statistics) const
+  {
+    const SolidBody<dim> &solid = system.bodies[b]->solid;
+    set_vector(statistics, solid.get_name() + ": force", "of the fluid", body_forces[b]);
+    if (is_held(solid))
+      set_vector(statistics, solid.get_name() + ": force", "by feedback", feedback_forces[b]);
+  }
+
+  template <int dim>
+  void ForceAccount<dim>::set_control_volume_statistics(Statistics &statistics) const
+  {
+    if (control_volume)
+      set_vector(statistics, "force", "by control volume", control_volume_force);
+  }
+
+  template class BackwardDifference<2>;
+  template class BackwardDifference<3>;
+  template class ForceAccount<2>;
+  template class ForceAccount<3>;
+} // namespace caudal

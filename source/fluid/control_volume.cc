@@ -1,0 +1,195 @@
+#include <caudal/base/expression.h>
+#include <caudal/fluid/control_volume.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace caudal
+{
+  namespace
+  {
+    /** Whether the coarse cell round @p cell has its centre in the box: so V is the same on all grids. */
+    template <int dim>
+    bool is_in(const BoundingBox<dim> &box, const CellAccessor<dim> &cell)
+    {
+      TriaIterator<CellAccessor<dim>> ancestor(&cell.get_triangulation(), cell.level(),
+                                               cell.index());
+      while (ancestor->level() > 0)
+        ancestor = ancestor->parent();
+      return box.point_inside(ancestor->center());
+    }
+
+    /** The flow on one side of a face, in its quadrature points. */
+    template <int dim>
+    struct FaceFlow
+    {
+      std::vector<Tensor<1, dim>> velocity;
+      std::vector<Tensor<2, dim>> gradient;
+      std::vector<double>         pressure;
+
+      void evaluate(const FEValuesBase<dim> &velocities, const FEValuesBase<dim> &pressures,
+                    const FluidState<dim> &state)
+      {
+        const FEValuesExtractors::Vector components(0);
+        velocity.resize(velocities.n_quadrature_points);
+        gradient.resize(velocity.size());
+        pressure.resize(velocity.size());
+        velocities[components].get_function_values(state.velocity, velocity);
+        velocities[components].get_function_gradients(state.velocity, gradient);
+        pressures.get_function_values(state.pressure, pressure);
+      }
+    };
+
+    /** Evaluates forces and fluxes on faces of the control volume. */
+    template <int dim>
+    class SurfaceForce
+    {
+    public:
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+
+      SurfaceForce(const FluidSpace<dim> &space, const FluidState<dim> &state)
+          : space(space)
+          , state(state)
+          , quadrature(space.velocity_element.degree + 2)
+          , velocity_face(space.velocity_element, quadrature,
+                          update_values | update_gradients | update_normal_vectors |
+                              update_JxW_values)
+          , pressure_face(space.pressure_element, quadrature, update_values)
+          , velocity_subface(space.velocity_element, quadrature, update_values | update_gradients)
+          , pressure_subface(space.pressure_element, quadrature, update_values)
+          , neighbour_velocity_face(space.velocity_element, quadrature,
+                                    update_values | update_gradients)
+          , neighbour_pressure_face(space.pressure_element, quadrature, update_values)
+      {}
+
+      /** The force through face @p f of @p cell, its neighbour being as fine, coarser or none. */
+      Tensor<1, dim> compute(const Cell &cell, const unsigned int f)
+      {
+        velocity_face.reinit(on(space.velocity_dofs, cell), f);
+        pressure_face.reinit(on(space.pressure_dofs, cell), f);
+        inside.evaluate(velocity_face, pressure_face, state);
+        evaluate_neighbour(cell, f);
+
+        const auto    &parameters = space.get_parameters();
+        Tensor<1, dim> force;
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const Tensor<1, dim> &n        = velocity_face.normal_vector(q);
+          const Tensor<2, dim>  gradient = 0.5 * (inside.gradient[q] + outside.gradient[q]);
+          const double          pressure = 0.5 * (inside.pressure[q] + outside.pressure[q]) -
+                                  parameters.density * parameters.grad_div * trace(gradient);
+          const Tensor<1, dim> &u = inside.velocity[q];
+          force += (parameters.get_viscosity() * (gradient * n) - pressure * n -
+                    parameters.density * (u * n) * u) *
+                   velocity_face.JxW(q);
+        }
+        return force;
+      }
+
+    private:
+      const FluidSpace<dim> &space;
+      const FluidState<dim> &state;
+      const QGauss<dim - 1>  quadrature;
+      FEFaceValues<dim>      velocity_face, pressure_face;
+      FESubfaceValues<dim>   velocity_subface, pressure_subface;
+      FEFaceValues<dim>      neighbour_velocity_face, neighbour_pressure_face;
+      FaceFlow<dim>          inside, outside;
+
+      static typename DoFHandler<dim>::active_cell_iterator on(const DoFHandler<dim> &dofs,
+                                                               const Cell            &cell)
+      {
+        return typename DoFHandler<dim>::active_cell_iterator(&dofs.get_triangulation(),
+                                                              cell->level(), cell->index(), &dofs);
+      }
+
+      void evaluate_neighbour(const Cell &cell, const unsigned int f)
+      {
+        if (cell->at_boundary(f))
+        {
+          outside = inside;
+          return;
+        }
+        const Cell neighbour = cell->neighbor(f);
+        if (cell->neighbor_is_coarser(f))
+        {
+          const auto [face, subface] = cell->neighbor_of_coarser_neighbor(f);
+          velocity_subface.reinit(on(space.velocity_dofs, neighbour), face, subface);
+          pressure_subface.reinit(on(space.pressure_dofs, neighbour), face, subface);
+          outside.evaluate(velocity_subface, pressure_subface, state);
+          return;
+        }
+        const unsigned int face = cell->neighbor_of_neighbor(f);
+        neighbour_velocity_face.reinit(on(space.velocity_dofs, neighbour), face);
+        neighbour_pressure_face.reinit(on(space.pressure_dofs, neighbour), face);
+        outside.evaluate(neighbour_velocity_face, neighbour_pressure_face, state);
+      }
+    };
+
+    /** rho int_V u, and the work of the body force: int_V f. */
+    template <int dim>
+    MomentumBalance<dim> integrate_volume(const FluidSpace<dim> &space,
+                                          const FluidState<dim> &state,
+                                          const BoundingBox<dim> &box, const double time)
+    {
+      const auto &parameters = space.get_parameters();
+      const auto  body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
+      body_force->set_time(time);
+      const QGauss<dim>                quadrature(space.velocity_element.degree + 1);
+      const FEValuesExtractors::Vector components(0);
+      FEValues<dim> values(space.velocity_element, quadrature,
+                           update_values | update_quadrature_points | update_JxW_values);
+      std::vector<Tensor<1, dim>> velocity(quadrature.size());
+      MomentumBalance<dim>        balance;
+      for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+        if (cell->is_locally_owned() && is_in(box, *cell))
+        {
+          values.reinit(cell);
+          values[components].get_function_values(state.velocity, velocity);
+          for (const unsigned int q : values.quadrature_point_indices())
+          {
+            balance.momentum += parameters.density * velocity[q] * values.JxW(q);
+            for (unsigned int d = 0; d < dim; ++d)
+              balance.force[d] +=
+                  body_force->value(values.quadrature_point(q), d) * values.JxW(q);
+          }
+        }
+      return balance;
+    }
+  } // namespace
+
+  template <int dim>
+  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim> &space,
+                                                const FluidState<dim> &state,
+                                                const BoundingBox<dim> &box, const double time)
+  {
+    MomentumBalance<dim> balance = integrate_volume(space, state, box, time);
+    SurfaceForce<dim>    surface(space, state);
+    for (const auto &cell : space.get_triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        const bool is_inside = is_in(box, *cell);
+        for (const unsigned int f : cell->face_indices())
+        {
+          // The finer side of a face counts it, or the inner one of two alike.
+          if (cell->face(f)->has_children())
+            continue;
+          const bool at_boundary   = cell->at_boundary(f);
+          const bool leads_outside =
+              at_boundary || !is_in(box, *cell->neighbor(f));
+          if (is_inside && leads_outside)
+            balance.force += surface.compute(cell, f);
+          else if (!is_inside && !leads_outside && cell->neighbor_is_coarser(f))
+            balance.force -= surface.compute(cell, f);
+        }
+      }
+    const MPI_Comm communicator = space.get_communicator();
+    balance.momentum            = Utilities::MPI::sum(balance.momentum, communicator);
+    balance.force               = Utilities::MPI::sum(balance.force, communicator);
+    return balance;
+  }
+
+  template MomentumBalance<2> compute_momentum_balance(const FluidSpace<2> &, const FluidState<2> &,
+                                                       const BoundingBox<2> &, double);
+  template MomentumBalance<3> compute_momentum_balance(const FluidSpace<3> &, const FluidState<3> &,
+                                                       const BoundingBox<3> &, double);
+} // namespace caudal
