@@ -106,7 +106,7 @@ namespace caudal
                                         const TimeWeights       &weights) const
       {
         const SolidBody<dim> &solid = body.solid;
-        Vector<double> positions(body.new_velocity);
+        Vector<double>        positions(body.new_velocity);
         positions.add(-weights.derivative[1], solid.positions, -weights.derivative[2],
                       solid.old_positions);
         positions /= weights.derivative[0];

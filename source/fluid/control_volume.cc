@@ -8,7 +8,8 @@ namespace caudal
 {
   namespace
   {
-    /** Whether the coarse cell round @p cell has its centre in the box: so V is the same on all grids. */
+    /** Whether the coarse cell round @p cell has its centre in the box: so V is the same on all
+     * grids. */
     template <int dim>
     bool is_in(const BoundingBox<dim> &box, const CellAccessor<dim> &cell)
     {
@@ -128,18 +129,18 @@ namespace caudal
     /** rho int_V u, and the work of the body force: int_V f. */
     template <int dim>
     MomentumBalance<dim> integrate_volume(const FluidSpace<dim> &space,
-                                          const FluidState<dim> &state,
-                                          const BoundingBox<dim> &box, const double time)
+                                          const FluidState<dim> &state, const BoundingBox<dim> &box,
+                                          const double time)
     {
       const auto &parameters = space.get_parameters();
       const auto  body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
       body_force->set_time(time);
       const QGauss<dim>                quadrature(space.velocity_element.degree + 1);
       const FEValuesExtractors::Vector components(0);
-      FEValues<dim> values(space.velocity_element, quadrature,
-                           update_values | update_quadrature_points | update_JxW_values);
-      std::vector<Tensor<1, dim>> velocity(quadrature.size());
-      MomentumBalance<dim>        balance;
+      FEValues<dim>                    values(space.velocity_element, quadrature,
+                                              update_values | update_quadrature_points | update_JxW_values);
+      std::vector<Tensor<1, dim>>      velocity(quadrature.size());
+      MomentumBalance<dim>             balance;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned() && is_in(box, *cell))
         {
@@ -149,8 +150,7 @@ namespace caudal
           {
             balance.momentum += parameters.density * velocity[q] * values.JxW(q);
             for (unsigned int d = 0; d < dim; ++d)
-              balance.force[d] +=
-                  body_force->value(values.quadrature_point(q), d) * values.JxW(q);
+              balance.force[d] += body_force->value(values.quadrature_point(q), d) * values.JxW(q);
           }
         }
       return balance;
@@ -158,8 +158,8 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim> &space,
-                                                const FluidState<dim> &state,
+  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim>  &space,
+                                                const FluidState<dim>  &state,
                                                 const BoundingBox<dim> &box, const double time)
   {
     MomentumBalance<dim> balance = integrate_volume(space, state, box, time);
@@ -174,8 +174,7 @@ namespace caudal
           if (cell->face(f)->has_children())
             continue;
           const bool at_boundary   = cell->at_boundary(f);
-          const bool leads_outside =
-              at_boundary || !is_in(box, *cell->neighbor(f));
+          const bool leads_outside = at_boundary || !is_in(box, *cell->neighbor(f));
           if (is_inside && leads_outside)
             balance.force += surface.compute(cell, f);
           else if (!is_inside && !leads_outside && cell->neighbor_is_coarser(f))

@@ -35,14 +35,16 @@ namespace caudal
     prm.add_parameter("Width", width,
                       "Extent in the third direction [m] of beam, rectangle and ellipse; 3D only.",
                       any_number);
-    prm.add_parameter("Radius", radius, "Radius of disc and cylinder, inner radius of ring [m].", any_number);
+    prm.add_parameter("Radius", radius, "Radius of disc and cylinder, inner radius of ring [m].",
+                      any_number);
     prm.add_parameter("Wall thickness", wall_thickness, "Outer minus inner radius of ring [m].",
                       any_number);
     prm.add_parameter(
         "Elements", elements,
         "Number of elements along and across the body (3D: along, across, in the third "
         "direction); round and across the wall of ring; of the flag alone. The round nose of "
-        "naca and eel adds a few. Of disc and ellipse only the product counts: they get about that many "
+        "naca and eel adds a few. Of disc and ellipse only the product counts: they get about that "
+        "many "
         "elements.",
         Patterns::List(Patterns::Integer(1), dim, dim));
     prm.add_parameter(
@@ -138,7 +140,10 @@ namespace caudal
     tria.reset_all_manifolds();
     tria.set_all_manifold_ids(numbers::flat_manifold_id);
 
-    number_regions(tria, n_regions, entries + (from_file ? "File" : divided ? "Type" : "Region boundaries"));
+    number_regions(tria, n_regions,
+                   entries + (from_file ? "File"
+                              : divided ? "Type"
+                                        : "Region boundaries"));
     AssertThrow(compute_min_scaled_jacobian(tria) > 0.,
                 ExcMessage(entries + (from_file ? "File" : "Elements") +
                            ": the grid has inverted or non-convex cells (scaled Jacobian " +

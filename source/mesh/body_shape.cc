@@ -399,9 +399,9 @@ namespace caudal
       };
       if constexpr (dim == 2)
       {
-        creators["naca"] = create<NacaShape, dim>;
-        creators["eel"]  = create<EelShape, dim>;
-        creators["ring"] = create<RingShape, dim>;
+        creators["naca"]               = create<NacaShape, dim>;
+        creators["eel"]                = create<EelShape, dim>;
+        creators["ring"]               = create<RingShape, dim>;
         creators["cylinder with flag"] = create<FlagShape, dim>;
       }
       return creators;

@@ -46,7 +46,7 @@ namespace caudal
       if (radius == 0.)
         return Point<2>(0., a);
       const double smallest = std::asin(a);
-      const double angle    = smallest + (1. - 2. * smallest / numbers::PI) * std::atan2(p[1], p[0]);
+      const double angle = smallest + (1. - 2. * smallest / numbers::PI) * std::atan2(p[1], p[0]);
       return Point<2>(radius * std::cos(angle), a + radius * (std::sin(angle) - a));
     }
 
@@ -81,8 +81,7 @@ namespace caudal
       const unsigned int n_inside = stations.size() - 1;
       const double       root     = std::sqrt(1. - a * a);
       GridGenerator::subdivided_hyper_rectangle(tria, {n_inside + n_along, n_across},
-                                                Point<2>(0., -a),
-                                                Point<2>(n_inside + n_along, a));
+                                                Point<2>(0., -a), Point<2>(n_inside + n_along, a));
       for (const auto &cell : tria.active_cell_iterators())
         cell->set_material_id(cell->center()[0] < n_inside ? 0 : 1);
       GridTools::transform(

@@ -28,8 +28,8 @@ namespace caudal
    * Collective.
    */
   template <int dim>
-  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim> &space,
-                                                const FluidState<dim> &state,
+  MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim>  &space,
+                                                const FluidState<dim>  &state,
                                                 const BoundingBox<dim> &box, double time);
 } // namespace caudal
 

@@ -1,0 +1,1 @@
+"""Benchmarks: cases with known answers, their figures beside the references."""

@@ -1,0 +1,171 @@
+"""The benchmarks: how each is run, its figures and gates. References: Schaefer and Turek 1996
+(doi:10.1007/978-3-322-89849-4_39), Turek and Hron 2006 (doi:10.1007/3-540-34596-5_15), Turek et
+al. 2010 (doi:10.1007/978-3-642-14206-2_15), and what the opening comments of the .prm name."""
+
+import dataclasses
+import math
+import typing
+
+from .figures import Figure, Signal, compare_force_accounts, describe
+
+MILLIMETRE = 1e3
+
+
+@dataclasses.dataclass
+class Case:
+    """A benchmark of one run, or of several that differ in overrides."""
+
+    name: str
+    purpose: str
+    cost: str
+    evaluate: typing.Callable  # from a list of runs to a list of figures
+    variants: tuple = ((),)    # the overrides of each run
+    curves: tuple = ()         # columns to plot
+    file: str = ""             # prm/benchmarks/<file>.prm, by default <name>.prm
+
+    @property
+    def prm(self):
+        return f"prm/benchmarks/{self.file or self.name}.prm"
+
+
+DRAG, LIFT = "flag: force x of the fluid", "flag: force y of the fluid"
+TIP = ("flag: x of point 1", "flag: y of point 1")
+
+
+def evaluate_orders(runs):
+    """Observed L2 orders from pairs of runs, the second with half the spacing."""
+    figures = []
+    for kind, (coarse, fine) in zip(("uniform", "hanging nodes"), (runs[:2], runs[2:])):
+        for quantity, least in (("velocity", 2.9), ("pressure", 1.9)):
+            ratio = coarse.get(f"{quantity} error")[-1] / fine.get(f"{quantity} error")[-1]
+            figures.append(Figure(f"{quantity} order, {kind}", math.log2(ratio),
+                                  gate=(least, math.inf)))
+    return figures
+
+
+def evaluate_time_order(runs):
+    energies = [run.get("velocity error")[-1] for run in runs]
+    return [Figure("velocity order in time", math.log2(energies[0] / energies[1]),
+                   gate=(1.9, math.inf))]
+
+
+def spatial_variants(n):
+    return tuple((f"Domain/Cells={m},{m}", f"Refinement/Level expression={level}")
+                 for level in ("0", "if(x>0.3,1,0)") for m in (n, 2 * n))
+
+
+def evaluate_ring(runs):
+    run = runs[0]
+    return [Figure("p inside [Pa]", run.get("p at probe 1")[-1], 0.167920, 0.005),
+            Figure("p outside [Pa]", run.get("p at probe 2")[-1], -0.055223, 0.005),
+            Figure("max velocity [m/s]", run.get("max velocity")[-1])]
+
+
+def evaluate_dfg_steady(runs):
+    run, factor = runs[0], 500.
+    drag = Signal(run, "cylinder: force x of the fluid", factor)
+    lift = Signal(run, "cylinder: force y of the fluid", factor, scale=0.1)
+    pressure = run.get("p at probe 1")[-1] - run.get("p at probe 2")[-1]
+    return [Figure("cD", drag.end.mean, 5.57953523384, 0.015, drag.end.state),
+            Figure("cL", lift.end.mean, 0.010618948146, (0.97 * 0.0104, 1.03 * 0.0110),
+                   lift.end.state),
+            Figure("dp [Pa]", pressure, 0.11752016697, 0.015)
+            ] + compare_force_accounts(run, "cylinder", "x")
+
+
+def evaluate_dfg_periodic(runs):
+    run, factor = runs[0], 20.
+    drag = Signal(run, "cylinder: force x of the fluid", factor)
+    lift = Signal(run, "cylinder: force y of the fluid", factor)
+    return [Figure("max cD", drag.end.maximum, 3.23, 0.015, drag.end.state),
+            Figure("max cL", lift.end.maximum, 1.0, (0.97 * 0.99, 1.03 * 1.01), lift.end.state),
+            Figure("St", 0.1 * lift.end.frequency, 0.3, (0.97 * 0.295, 1.03 * 0.305))
+            ] + compare_force_accounts(run, "cylinder", "x")
+
+
+def evaluate_rigid_flag(drag, lift, gates, amplitude=None, frequency=None):
+    """CFD1 to CFD3; gates of drag, lift and frequency."""
+    def evaluate(runs):
+        run = runs[0]
+        figures = describe(Signal(run, DRAG), "drag [N/m]", mean=(drag, gates[0]),
+                           amplitude=amplitude and (amplitude[0], None))
+        figures += describe(Signal(run, LIFT, scale=abs(drag)), "lift [N/m]",
+                            mean=(lift, None if amplitude else gates[1]),
+                            amplitude=amplitude and (amplitude[1], gates[1]),
+                            frequency=frequency and (frequency, gates[2]))
+        return figures + compare_force_accounts(run, "flag", "x")
+    return evaluate
+
+
+def get_tip(run):
+    """Displacement of point A in mm."""
+    return [Signal(run, column, MILLIMETRE, scale=1., offset=run.get(column)[0])
+            for column in TIP]
+
+
+def evaluate_fsi1(runs):
+    run = runs[0]
+    ux, uy = (Signal(run, column, MILLIMETRE, scale=0.1, offset=start)
+              for column, start in zip(TIP, (0.6, 0.2)))
+    return (describe(ux, "ux [mm]", mean=(0.0227, 0.03))
+            + describe(uy, "uy [mm]", mean=(0.8209, 0.03))
+            + describe(Signal(run, DRAG), "drag [N/m]", mean=(14.295, 0.01))
+            + describe(Signal(run, LIFT, scale=10.), "lift [N/m]", mean=(0.7638, None))
+            + compare_force_accounts(run, "flag", "x"))
+
+
+def evaluate_fsi2(runs):
+    run = runs[0]
+    ux, uy = get_tip(run)
+    return (describe(uy, "uy [mm]", (1.30, None), (81.6, 0.05), (1.93, 0.02))
+            + describe(ux, "ux [mm]", (-14.85, None), (12.70, None), (3.86, None))
+            + describe(Signal(run, DRAG), "drag [N/m]", (215.1, 0.03), (77.7, None))
+            + describe(Signal(run, LIFT), "lift [N/m]", (0.6, None), (237.8, None))
+            + check_body(run) + compare_force_accounts(run, "flag", "x"))
+
+
+def evaluate_fsi3(runs):
+    run = runs[0]
+    ux, uy = get_tip(run)
+    return (describe(uy, "uy [mm]", (1.47, None), (34.99, 0.03), (5.46, 0.015))
+            + describe(ux, "ux [mm]", (-2.88, None), (2.72, 0.06), (10.93, None))
+            + describe(Signal(run, DRAG), "drag [N/m]", (460.5, 0.02), (27.74, 0.15))
+            + describe(Signal(run, LIFT), "lift [N/m]", (2.50, None), (153.91, 0.08))
+            + check_body(run) + compare_force_accounts(run, "flag", "x"))
+
+
+def check_body(run, least=0.):
+    late = run.time >= 0.5 * run.time[-1]
+    body = run.bodies[0]
+    return [Figure("largest |area change|", abs(run.get(f"{body}: area change")[late]).max(),
+                   gate=(0, 5e-4)),
+            Figure("min J", run.get(f"{body}: min J")[late].min()),
+            Figure("max J", run.get(f"{body}: max J")[late].max())]
+
+
+FORCES = (DRAG, "force x by control volume", LIFT)
+CASES = {case.name: case for case in (
+    Case("taylor_green", "orders in space, decaying vortices", "10 s", evaluate_orders,
+         spatial_variants(6)),
+    Case("kovasznay", "orders in space, flow behind a row of obstacles", "20 s", evaluate_orders,
+         spatial_variants(6)),
+    Case("moving_vortices", "order in time (BDF2)", "1 min", evaluate_time_order,
+         (("Time/Step=0.04",), ("Time/Step=0.02",))),
+    Case("ring", "balance of fibre tension and pressure", "5 s", evaluate_ring),
+    Case("dfg_2d1", "flow past a cylinder, Reynolds number 20", "10 min", evaluate_dfg_steady,
+         curves=("cylinder: force x of the fluid", "force x by control volume")),
+    Case("dfg_2d2", "flow past a cylinder, Reynolds number 100", "30 min", evaluate_dfg_periodic,
+         curves=("cylinder: force x of the fluid", "cylinder: force y of the fluid")),
+    Case("cfd1", "rigid flag, Reynolds number 20", "5 min",
+         evaluate_rigid_flag(14.29, 1.119, (0.015, 0.03)), curves=FORCES),
+    Case("cfd2", "rigid flag, Reynolds number 100", "10 min",
+         evaluate_rigid_flag(136.7, 10.53, (0.015, 0.03)), curves=FORCES),
+    Case("cfd3", "rigid flag, Reynolds number 200", "30 min",
+         evaluate_rigid_flag(439.45, -11.893, (0.015, 0.03, 0.01), (5.6183, 437.81), 4.3956),
+         curves=FORCES),
+    Case("fsi1", "elastic flag, steady", "10 min", evaluate_fsi1, curves=TIP + FORCES),
+    Case("fsi2", "elastic flag ten times as dense as the fluid", "1 h", evaluate_fsi2,
+         curves=TIP + FORCES),
+    Case("fsi3", "elastic flag, the paper's benchmark", "30 min", evaluate_fsi3,
+         curves=TIP + FORCES),
+)}

@@ -1,0 +1,57 @@
+"""Runs of caudal that are not made twice."""
+
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import time
+
+from caudal_plots.results import Run
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PROGRAM = ROOT / "build" / "caudal"
+ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1",
+               "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_hwloc_base_binding_policy": "none"}
+
+
+class RunError(Exception):
+    """A run failed; the text is what it said."""
+
+
+def read_with_includes(prm):
+    """The text of a .prm file, the files that it includes in their places, without comments."""
+    lines = []
+    for line in prm.read_text(encoding="utf-8").splitlines():
+        if match := re.match(r"\s*include\s+(\S+)", line):
+            lines += read_with_includes(prm.parent / match.group(1))
+        elif line.strip() and not line.lstrip().startswith("#"):
+            lines.append(line)
+    return lines
+
+
+def get_fingerprint(prm, overrides):
+    """Of all that decides on the results: the case, the overrides and the program."""
+    text = "\n".join(read_with_includes(ROOT / prm) + list(overrides))
+    return hashlib.sha256(text.encode() + PROGRAM.read_bytes()).hexdigest()
+
+
+def run(prm, folder, overrides=(), ranks=1):
+    """Runs a case into a folder unless that very run has ended there; returns it."""
+    folder = pathlib.Path(folder)
+    stamp, fingerprint = folder / "fingerprint.txt", get_fingerprint(prm, overrides)
+    if stamp.is_file() and stamp.read_text(encoding="utf-8").split()[0] == fingerprint:
+        return Run(folder)
+    command = ["mpirun.openmpi", "--quiet", "-np", str(ranks), str(PROGRAM), prm,
+               "-D", f"Output/Folder={folder}"]
+    for override in overrides:
+        command += ["-D", override]
+    begin = time.time()
+    result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False,
+                            stdin=subprocess.DEVNULL, env={**os.environ, **ENVIRONMENT})
+    if result.returncode != 0:
+        raise RunError(f"{' '.join(command)}: {result.stderr.strip()}")
+    stamp.write_text(f"{fingerprint}\n{time.time() - begin:.0f} s on {ranks} ranks\n",
+                     encoding="utf-8")
+    return Run(folder)
