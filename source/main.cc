@@ -1,3 +1,4 @@
+#include <caudal/app/elastic_body.h>
 #include <caudal/app/immersed_swimmer.h>
 #include <caudal/app/potential_swimmer.h>
 #include <caudal/base/command_line.h>
@@ -87,6 +88,13 @@ namespace
     return run_model<ImmersedSwimmer<dim>>(parameters, file, command_line);
   }
 
+  template <int dim>
+  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
+  {
+    ElasticParameters<dim> parameters(&file);
+    return run_model<ElasticBody<dim>>(parameters, file, command_line);
+  }
+
   Exit run_potential(const ParameterFile &file, const CommandLine &command_line)
   {
     PotentialParameters parameters;
@@ -122,15 +130,19 @@ namespace
     std::unique_ptr<ParameterFile> file;
     if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
-    const bool is_potential = file && get_model(*file) == "potential";
+    const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
-      return is_potential
+      return model == "potential"
                  ? print_model_parameters(PotentialParameters(), command_line.format)
+             : model == "elastic"
+                 ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
-    if (is_potential)
+    if (model == "potential")
       return run_potential(*file, command_line);
-    return get_dimension(*file) == 2 ? run_immersed<2>(*file, command_line)
-                                     : run_immersed<3>(*file, command_line);
+    const bool is_plane = get_dimension(*file) == 2;
+    if (model == "elastic")
+      return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);
+    return is_plane ? run_immersed<2>(*file, command_line) : run_immersed<3>(*file, command_line);
   }
 } // namespace
 

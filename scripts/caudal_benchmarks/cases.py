@@ -97,6 +97,22 @@ def evaluate_rigid_flag(drag, lift, gates, amplitude=None, frequency=None):
     return evaluate
 
 
+def evaluate_csm(ux, uy):
+    """Static: values in mm."""
+    def evaluate(runs):
+        end = [MILLIMETRE * (runs[0].get(column)[-1] - start)
+               for column, start in zip(TIP, (0.6, 0.2))]
+        return [Figure("ux [mm]", end[0], ux, 0.005), Figure("uy [mm]", end[1], uy, 0.005)]
+    return evaluate
+
+
+def evaluate_csm3(runs):
+    ux, uy = (Signal(runs[0], column, MILLIMETRE, scale=1., offset=start)
+              for column, start in zip(TIP, (0.6, 0.2)))
+    return (describe(ux, "ux [mm]", (-14.305, 0.005), (14.305, 0.005), (1.0995, 0.005))
+            + describe(uy, "uy [mm]", (-63.607, 0.005), (65.160, 0.005), (1.0995, 0.005)))
+
+
 def get_tip(run):
     """Displacement of point A in mm."""
     return [Signal(run, column, MILLIMETRE, scale=1., offset=run.get(column)[0])
@@ -163,6 +179,9 @@ CASES = {case.name: case for case in (
     Case("cfd3", "rigid flag, Reynolds number 200", "30 min",
          evaluate_rigid_flag(439.45, -11.893, (0.015, 0.03, 0.01), (5.6183, 437.81), 4.3956),
          curves=FORCES),
+    Case("csm1", "the flag without fluid, static", "5 s", evaluate_csm(-7.187, -66.10)),
+    Case("csm2", "the same, four times as stiff", "5 s", evaluate_csm(-0.4690, -16.97)),
+    Case("csm3", "the flag without fluid, swinging", "3 min", evaluate_csm3, curves=TIP),
     Case("fsi1", "elastic flag, steady", "10 min", evaluate_fsi1, curves=TIP + FORCES),
     Case("fsi2", "elastic flag ten times as dense as the fluid", "1 h", evaluate_fsi2,
          curves=TIP + FORCES),

@@ -36,8 +36,8 @@ namespace caudal
   void RunParameters<dim>::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
-                      "The model: immersed, the elastic swimmer in a viscous fluid (the other one, "
-                      "potential, has other parameters).",
+                      "The model: immersed, the elastic swimmer in a viscous fluid (the others, "
+                      "potential and elastic, have other parameters).",
                       Patterns::Selection("immersed"));
     prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
                       Patterns::Integer(2, 3));
@@ -77,8 +77,9 @@ namespace caudal
   std::string get_model(const ParameterFile &file)
   {
     const std::string model = file.get("Model", "immersed");
-    AssertThrow(model == "immersed" || model == "potential",
-                ExcMessage("Model: the value is <" + model + ">. Give immersed or potential."));
+    AssertThrow(
+        model == "immersed" || model == "potential" || model == "elastic",
+        ExcMessage("Model: the value is <" + model + ">. Give immersed, potential or elastic."));
     return model;
   }
 

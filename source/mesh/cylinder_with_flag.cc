@@ -79,7 +79,6 @@ namespace caudal
                     const unsigned int n_across)
     {
       const unsigned int n_inside = stations.size() - 1;
-      const double       root     = std::sqrt(1. - a * a);
       GridGenerator::subdivided_hyper_rectangle(tria, {n_inside + n_along, n_across},
                                                 Point<2>(0., -a), Point<2>(n_inside + n_along, a));
       for (const auto &cell : tria.active_cell_iterators())
@@ -87,11 +86,10 @@ namespace caudal
       GridTools::transform(
           [&](const Point<2> &p) {
             const unsigned int column = std::lround(p[0]);
+            const double       arc    = std::sqrt(1. - p[1] * p[1]);
             if (column > n_inside)
-              return Point<2>(root + (end - root) * (column - n_inside) / n_along, p[1]);
-            // The front of the strip is part of the circle.
-            const double front = -std::sqrt(1. - p[1] * p[1]);
-            return Point<2>(front + 0.5 * (1. + stations[column]) * (root - front), p[1]);
+              return Point<2>(arc + (end - arc) * (column - n_inside) / n_along, p[1]);
+            return Point<2>(stations[column] * arc, p[1]);
           },
           tria);
     }

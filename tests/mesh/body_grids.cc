@@ -23,7 +23,9 @@ template <int dim>
 void report(const std::string &name, const BodyGridParameters<dim> &parameters, const double volume)
 {
   const unsigned int n_regions =
-      parameters.type == "file" ? 2 : parameters.region_boundaries.size() + 1;
+      parameters.type == "file" || parameters.type == "cylinder with flag"
+          ? 2
+          : parameters.region_boundaries.size() + 1;
   Triangulation<dim> tria;
   make_body_grid(tria, parameters, n_regions, "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
@@ -76,6 +78,17 @@ void report_shapes()
   disc.elements          = {20, 20};
   disc.region_boundaries = {0.5};
   report("disc, coarse, halves", disc, numbers::PI * 0.01);
+
+  auto flag      = make_parameters<2>("cylinder with flag");
+  flag.radius    = 0.05;
+  flag.length    = 0.35;
+  flag.thickness = 0.02;
+  flag.elements  = {70, 4};
+  // The flag begins at the arc, which takes a segment of the circle away from it.
+  const double angle = std::asin(0.2);
+  const double gap   = 0.0025 * (angle - 0.5 * std::sin(2. * angle));
+  const double root  = 0.02 * (0.4 - 0.05 * std::cos(angle));
+  report("cylinder with flag", flag, numbers::PI * 0.0025 + root - gap);
 
   auto ellipse      = make_parameters<2>("ellipse");
   ellipse.thickness = 0.4;

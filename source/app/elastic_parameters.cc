@@ -1,0 +1,65 @@
+#include <caudal/app/elastic_parameters.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  template <int dim>
+  ElasticParameters<dim>::ElasticParameters(const ParameterFile *file)
+  {
+    body_name = file ? file->get("Bodies", "") : "<name>";
+    AssertThrow(Utilities::split_string_list(body_name).size() == 1,
+                ExcMessage("Bodies: there are none or several in <" + body_name +
+                           ">. The elastic model has one body; name it."));
+    solid = std::make_unique<SolidParameters<dim>>(
+        body_name, Utilities::split_string_list(
+                       file ? file->get("Body " + body_name + "/Regions", "body") : "<region>"));
+  }
+
+  template <int dim>
+  void ElasticParameters<dim>::declare(ParameterHandler &prm)
+  {
+    prm.add_parameter("Model", model,
+                      "The model: elastic, a body without fluid (the others, immersed and "
+                      "potential, have other parameters).",
+                      Patterns::Selection("elastic"));
+    prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
+                      Patterns::Integer(2, 3));
+    prm.add_parameter("Bodies", body_name,
+                      "The name of the body, which has a section `Body <name>`.",
+                      Patterns::Anything());
+    prm.add_parameter("Gravity", gravity, "Acceleration of gravity g [m/s^2].");
+    prm.enter_subsection("Time");
+    prm.add_parameter("Static", is_static,
+                      "Look for the equilibrium. The weight grows from step to step, up to the "
+                      "whole at the end time.");
+    prm.add_parameter("End time", end_time, "Simulated time [s].");
+    prm.add_parameter("Step", step, "Size of the time step [s].");
+    prm.leave_subsection();
+    prm.enter_subsection(solid->get_path());
+    prm.declare_entry("Regions", "body", Patterns::Anything(),
+                      "Names of the body's regions, separated by commas; each has a section "
+                      "`Region <name>`.");
+    solid->add_parameters(prm);
+    prm.leave_subsection();
+    output.add_parameters(prm);
+  }
+
+  template <int dim>
+  void ElasticParameters<dim>::check() const
+  {
+    for (const auto &[entry, value] : {std::make_pair("End time", end_time), {"Step", step}})
+      AssertThrow(std::isfinite(value) && value > 0,
+                  ExcMessage(std::string("Time/") + entry + ": the value is " +
+                             std::to_string(value) + " s. Give a positive number."));
+    solid->check();
+    AssertThrow(solid->density > 0,
+                ExcMessage(solid->get_path() + "/Density: the value is " +
+                           std::to_string(solid->density) +
+                           " kg/m^3, but there is no fluid to take it from. Give a positive one."));
+    output.check();
+  }
+
+  template struct ElasticParameters<2>;
+  template struct ElasticParameters<3>;
+} // namespace caudal
