@@ -83,6 +83,47 @@ def evaluate_dfg_periodic(runs):
             ] + compare_force_accounts(run, "cylinder", "x")
 
 
+def evaluate_free_cylinder(drag, lift=None, strouhal=None):
+    """Intervals of the published coefficients."""
+    def evaluate(runs):
+        run = runs[0]
+        force = Signal(run, "cylinder: force x of the fluid", 2.)
+        cross = Signal(run, "cylinder: force y of the fluid", 2., scale=1.)
+        figures = [Figure("Cd", force.end.mean, sum(drag) / 2, drag, force.end.state)]
+        if lift:
+            figures += [Figure("Cl amplitude", cross.end.amplitude, sum(lift) / 2, lift,
+                               cross.end.state),
+                        Figure("St", cross.end.frequency, sum(strouhal) / 2, strouhal)]
+        else:
+            figures.append(Figure("recirculation length", find_stagnation(run) - 10.5, 2.24,
+                                  (2.13, 2.35)))
+        return figures + compare_force_accounts(run, "cylinder", "x")
+    return evaluate
+
+
+def find_stagnation(run):
+    """Where on the axis, between the probes at x = 12.4, 12.5, ... the velocity changes sign."""
+    places = [12.4 + 0.1 * k for k in range(7)]
+    speeds = [run.get(f"u at probe {k + 1}")[-1] for k in range(7)]
+    for x, a, b in zip(places, speeds, speeds[1:]):
+        if a < 0 <= b:
+            return x + 0.1 * a / (a - b)
+    return math.nan
+
+
+def evaluate_soft_disc(runs):
+    """The extremes of the centroid's path, Sugiyama et al. 2011."""
+    run = runs[0]
+    x, y = run.get("disc: x of centre of mass"), run.get("disc: y of centre of mass")
+    wanted = (("smallest x", x.min(), .2894), ("largest x", x[run.time > 2].max(), .7021),
+              ("smallest y", y.min(), .4936), ("largest y", y.max(), .8684))
+    return [Figure(name, value, reference, (reference - 0.01, reference + 0.01))
+            for name, value, reference in wanted] + [
+        Figure("largest |area change|", abs(run.get("disc: area change")).max(), gate=(0, 1e-3)),
+        Figure("min J", run.get("disc: min J").min()),
+        Figure("max J", run.get("disc: max J").max())]
+
+
 def evaluate_rigid_flag(drag, lift, gates, amplitude=None, frequency=None):
     """CFD1 to CFD3; gates of drag, lift and frequency."""
     def evaluate(runs):
@@ -168,6 +209,14 @@ CASES = {case.name: case for case in (
     Case("moving_vortices", "order in time (BDF2)", "1 min", evaluate_time_order,
          (("Time/Step=0.04",), ("Time/Step=0.02",))),
     Case("ring", "balance of fibre tension and pressure", "5 s", evaluate_ring),
+    Case("cylinder_re40", "cylinder in a free stream, Reynolds number 40", "10 min",
+         evaluate_free_cylinder((1.54, 1.565)),
+         curves=("cylinder: force x of the fluid", "force x by control volume")),
+    Case("cylinder_re100", "cylinder in a free stream, Reynolds number 100", "40 min",
+         evaluate_free_cylinder((1.33, 1.364), (0.34, 0.35), (0.98 * 0.165, 1.02 * 0.165)),
+         curves=("cylinder: force x of the fluid", "cylinder: force y of the fluid")),
+    Case("soft_disc", "soft disc in a lid-driven cavity", "10 min", evaluate_soft_disc,
+         curves=("disc: x of centre of mass", "disc: y of centre of mass")),
     Case("dfg_2d1", "flow past a cylinder, Reynolds number 20", "10 min", evaluate_dfg_steady,
          curves=("cylinder: force x of the fluid", "force x by control volume")),
     Case("dfg_2d2", "flow past a cylinder, Reynolds number 100", "30 min", evaluate_dfg_periodic,
