@@ -243,7 +243,10 @@ namespace caudal
     Vector<double> driving_force(elastic_system.active_force);
     if (has_gait())
     {
-      solid.get_mass_matrix().vmult(driving_force, new_force_density);
+      Vector<double> mean_density(solid.force_density);
+      mean_density += new_force_density;
+      mean_density *= 0.5;
+      solid.get_mass_matrix().vmult(driving_force, mean_density);
       driving_force -= elastic_system.elastic_force;
       driving_force -= new_feedback_force;
     }
@@ -252,7 +255,10 @@ namespace caudal
     muscle_power = work / step;
     // A fixed body moves through the fluid rather than with its points.
     if (solid.is_fixed())
-      displacement.equ(step, new_velocity);
+    {
+      displacement.equ(0.5 * step, solid.velocity);
+      displacement.add(0.5 * step, new_velocity);
+    }
     feedback_work += new_feedback_force * displacement;
 
     solid.old_positions = solid.positions;
