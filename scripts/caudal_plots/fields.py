@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-from . import MissingData
+from . import BrokenData, MissingData
 
 
 @dataclasses.dataclass(eq=False)
@@ -94,7 +94,7 @@ def read(path):
     mesh = triangulation.GetOutput()
 
     if mesh.GetNumberOfPolys() == 0:
-        raise MissingData(f"{path} can't be read or has no cells.")
+        raise BrokenData(f"{path} can't be read or has no cells. Was it cut off?")
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     if np.ptp(points[:, 2]) > 0:
         raise MissingData(f"{path} is three-dimensional: look at it in ParaView.")
