@@ -38,7 +38,7 @@ namespace caudal
     void remove_results(const fs::path &folder)
     {
       const std::set<std::string> names   = {"log.txt", "summary.txt", "summary.csv", "report.html",
-                                             "paraview.py"};
+                                             "view.py"};
       const std::set<std::string> endings = {".pvd", ".xdmf", ".vtu", ".h5", ".png"};
 
       const auto remove_files = [&](const fs::path &where) {

@@ -69,7 +69,7 @@ namespace caudal
         {"quasi-propulsive efficiency", "etaQP", "", false,
          "Ptow / P (Maertens, Triantafyllou & Yue 2015, doi:10.48550/arXiv.1409.7263); a lower "
          "bound, as Ptow leaves out form drag",
-         5, true, [](const TailBeat &b) { return b.quasi_propulsive; }},
+         5, false, [](const TailBeat &b) { return b.quasi_propulsive; }},
         {"muscle work", "Wmuscle", "J", true,
          "work of all muscles in the beat = dEkin + dEel + diss + feedback + residual", 4, false,
          [](const TailBeat &b) { return b.muscle_work; }},

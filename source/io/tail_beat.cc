@@ -124,6 +124,8 @@ namespace caudal
   TailBeat compute_mean(const SwimmerConstants &swimmer, const std::vector<TailBeat> &beats)
   {
     Assert(!beats.empty(), ExcInternalError());
+    if (beats.size() == 1)
+      return beats.front();
     TailBeat mean;
     for (const auto member :
          {&TailBeat::period, &TailBeat::amplitude, &TailBeat::speed, &TailBeat::power,
