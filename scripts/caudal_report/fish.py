@@ -118,8 +118,12 @@ def make_ledger_section(run, report, reports):
               make_chart("Residual of the ledger", TIME, "residual [J/m]",
                          [make_curve("residual", t, ledger[-1][1], GREY)], group="time", zero=True)]
     work = ledger[0][1][-1]
+    listed = list(ledger)
+    if "numerical dissipation [J/m]" in run.columns:
+        listed.insert(4, ("– of it by the stabilisations", run.get("numerical dissipation")))
     rows = [(page.escape(name), page.format_number(values[-1]),
-             f"{100 * values[-1] / work:.2f}" if work else "–") for name, values in ledger]
+             page.format_number(100 * values[-1] / work if work else None, 3))
+            for name, values in listed]
     total = page.make_table((f"at t = {t[-1]:.3f} s", "energy [J/m]", "[% of muscle work]"), rows,
                             "muscle work = changes of kinetic and elastic energy + dissipation + "
                             "taken by feedback + residual")

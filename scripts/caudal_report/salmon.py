@@ -7,7 +7,7 @@ import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw
 
-from caudal_plots import BrokenData, MissingData, style
+from caudal_plots import MissingData, fields, style
 from caudal_salmon import paper, pictures, runs
 
 from . import common, files, movie, page
@@ -150,15 +150,6 @@ def draw_surface(path, turn, window, size, limit):
     return movie.encode(image)
 
 
-def check_surfaces(series):
-    """VTK reports what it can't read on stderr only."""
-    for _, path in series:
-        if not path.is_file():
-            raise BrokenData(f"There is no {path}, which solution.pvd lists.")
-        if b"</VTKFile>" not in path.read_bytes()[-200:]:
-            raise BrokenData(f"{path} is cut off.")
-
-
 def make_surface_movie(folder, frequency, count):
     """The first outputs of the surface, in the order in which they follow each other."""
     path = folder / "solution.pvd"
@@ -167,7 +158,8 @@ def make_surface_movie(folder, frequency, count):
     series = pictures.read_series(folder, frequency)
     if len(series) < 2:
         raise MissingData("solution.pvd lists fewer than two surfaces.")
-    check_surfaces(series)
+    for _, file in series:
+        fields.check_whole(file)
     turn, series = pictures.get_turn(series), series[:count]
     points = np.concatenate([100 * pictures.read_surface(series[k][1])[0].reshape(-1, 3)[:, :2]
                              @ turn.T for k in range(0, len(series), max(len(series) // 8, 1))])
@@ -186,8 +178,9 @@ def make_surface_movie(folder, frequency, count):
 
 def draw_swimming(folder, frequencies):
     """The picture of the paper's figures 8, 9 and 13 for this run."""
-    series = [entry for f in frequencies for entry in pictures.read_series(folder, f)]
-    check_surfaces(series)
+    for f in frequencies:
+        for _, file in pictures.read_series(folder, f):
+            fields.check_whole(file)
     return pictures.draw_swimming(folder.parent, [(folder.name, f) for f in frequencies], "")
 
 

@@ -23,7 +23,7 @@ def read_swim(folder):
         try:
             reports.append(json.loads(path.read_text(encoding="utf-8")))
         except ValueError as error:
-            raise MissingData(f"{path} is no valid JSON: {error}. Was it cut off?") from error
+            raise MissingData(f"{path} is no valid JSON. Was it cut off?") from error
     return reports
 
 
@@ -45,20 +45,20 @@ def make_swim_tiles(report):
 
 
 def make_swim_table(report):
-    """All quantities with their definitions: mean of the steady beats beside the last beat."""
+    """All quantities with their definitions: the mean of the steady beats, if any, and the last one."""
     steady, last = report["mean of steady beats"], report["beats"][-1]
     rows = []
     for name, quantity in report["quantities"].items():
         if name in ("start", "steady"):
             continue
-        rows.append((page.escape(name), page.escape(quantity["symbol"]),
-                     page.format_number(steady[name]) if steady else "–",
-                     page.format_number(last[name]), page.escape(quantity["unit"]),
-                     f"<small>{page.escape(quantity['definition'])}</small>"))
-    n = report["steady beats"]
-    header = ("quantity", "symbol", f"mean of the last {n} beats" if n else "no steady beat",
-              "last beat", "unit", "definition")
-    return page.make_table(header, rows, left=(0, 1, 4, 5))
+        means = [page.format_number(steady[name])] if steady else []
+        rows.append([page.escape(name), page.escape(quantity["symbol"]), *means,
+                     page.format_number(last[name]),
+                     page.escape(quantity["unit"]).replace(" ", "&nbsp;"),
+                     f"<small>{page.escape(quantity['definition'])}</small>"])
+    means = [f"mean of the last {report['steady beats']} beats"] if steady else []
+    header = ["quantity", "symbol", *means, "last beat", "unit", "definition"]
+    return page.make_table(header, rows, left=(0, 1, len(header) - 2, len(header) - 1))
 
 
 def make_beat_table(report):
