@@ -3,3 +3,7 @@
 
 class MissingData(Exception):
     """A file or column that a figure needs is not there; the text says which."""
+
+
+class BrokenData(MissingData):
+    """A file is there, but it is cut off or damaged; the text says which."""

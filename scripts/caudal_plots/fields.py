@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-from . import MissingData
+from . import BrokenData, MissingData
 
 
 @dataclasses.dataclass(eq=False)
@@ -82,8 +82,19 @@ class Field:
         return values.reshape(len(y), len(x), -1)
 
 
+def check_whole(path):
+    """A VTU file that is not there or was cut off: of the latter VTK complains on stderr only."""
+    if not path.is_file():
+        raise BrokenData(f"There is no {path}, which solution.pvd lists.")
+    with open(path, "rb") as file:
+        file.seek(max(path.stat().st_size - 100, 0))
+        if b"</VTKFile>" not in file.read():
+            raise BrokenData(f"{path} is cut off: its end is missing.")
+
+
 def read(path):
     """The field in a VTU file; cells of higher order are divided."""
+    check_whole(path)
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
     surface = vtkDataSetSurfaceFilter()
@@ -94,7 +105,7 @@ def read(path):
     mesh = triangulation.GetOutput()
 
     if mesh.GetNumberOfPolys() == 0:
-        raise MissingData(f"{path} can't be read or has no cells.")
+        raise BrokenData(f"{path} can't be read or has no cells.")
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     if np.ptp(points[:, 2]) > 0:
         raise MissingData(f"{path} is three-dimensional: look at it in ParaView.")

@@ -71,15 +71,19 @@ def draw_volume(run):
 
 
 def draw_energy(run):
-    """muscle work = kinetic + elastic + dissipation + feedback + residual."""
+    """muscle work = kinetic + elastic + dissipation + feedback + residual, since the start.
+
+    Feedback is what springs and dampers take up: minus their work on the bodies.
+    """
     def get_sum(name):
         return sum(run.get(f"{body}: {name}") for body in run.bodies)
 
+    kinetic = run.get("kinetic energy")
     curves = (("muscle work", get_sum("muscle work"), dict(color="black", linewidth=2)),
-              ("kinetic", run.get("kinetic energy"), {}),
+              ("kinetic", kinetic - kinetic[0], {}),
               ("elastic", get_sum("elastic energy"), {}),
               ("dissipation", run.get("dissipation"), {}),
-              ("feedback", get_sum("feedback work"), {}),
+              ("feedback", -get_sum("feedback work"), {}),
               ("residual", run.get("energy residual"), dict(color="0.4", linestyle="--")))
     figure, axes = style.make_figure(2, 1, 5.4, sharex=True, gridspec_kw={"height_ratios": (3, 1)})
     for label, values, options in curves:

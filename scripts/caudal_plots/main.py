@@ -14,7 +14,7 @@ FIGURES = (
     ("energy", "energy ledger", history.draw_energy),
     ("vorticity", "vorticity and body at the last time (figure 6)", flow.draw_vorticity),
     ("start_up", "pressure, velocity and body while starting (figure 8)", flow.draw_start_up),
-    ("cruise", "the same through the last tail beat (figure 9)", flow.draw_cruise),
+    ("cruise", "pressure, velocity and body in the last tail beat (figure 9)", flow.draw_cruise),
     ("body_wave", "outlines through the last tail beat", flow.draw_body_wave),
 )
 

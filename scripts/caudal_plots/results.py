@@ -7,7 +7,7 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 
-from . import MissingData, fields
+from . import BrokenData, MissingData, fields
 
 
 class Run:
@@ -88,7 +88,11 @@ class Run:
         if not path.is_file():
             raise MissingData(f"There is no {path}. Flow pictures need Output/Format = vtu.")
         files = {}
-        for entry in xml.parse(path).iter("DataSet"):
+        try:
+            entries = list(xml.parse(path).iter("DataSet"))
+        except xml.ParseError as error:
+            raise BrokenData(f"{path} is no whole XML: {error}. Was it cut off?") from error
+        for entry in entries:
             blocks = files.setdefault(float(entry.get("timestep")), {})
             name = entry.get("name") or pathlib.Path(entry.get("file")).stem.rpartition("-")[0]
             blocks[name] = self.folder / entry.get("file")
@@ -113,10 +117,7 @@ class Run:
 
     @functools.lru_cache(maxsize=8)
     def read(self, time, name):
-        path = self.files[time][name]
-        if not path.is_file():
-            raise MissingData(f"There is no {path}, which solution.pvd lists.")
-        return fields.read(path)
+        return fields.read(self.files[time][name])
 
     def read_fluid(self, time):
         return self.read(time, "fluid")

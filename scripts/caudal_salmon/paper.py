@@ -9,6 +9,16 @@ RESULTS = {
     ("fish_two", 0.95): (14.91, 0.746, 1.73e-4),
 }
 
+# Table 2: empirical relations of speed V and tail-beat frequency F [Hz], as V(F). The units of V
+# are by source, as far as it says: body lengths/s, and cm/s for the last one.
+RELATIONS_IN_LENGTHS = (
+    ("salmon, He and Wardle: V = 0.95 F − 0.46", lambda F: 0.95 * F - 0.46),
+    ("shortfin mako, Sepulveda: F = 0.94 + 0.14 V", lambda F: (F - 0.94) / 0.14),
+    ("lemon shark, Sepulveda: F = 1.5 V^0.48", lambda F: (F / 1.5)**(1 / 0.48)),
+    ("cyprinoid, Ohlberger: F = 1.31 V + 0.35", lambda F: (F - 0.35) / 1.31),
+)
+RELATION_IN_CM = ("salmon, Li et al.: V = 20.65 F − 34.80", lambda F: 20.65 * F - 34.80)
+
 REASONS = """
 Why the figures differ:
 - Shape. Table 1 gives half-axes in mm for a fish of 1 dm without saying where they stand. Read

@@ -102,13 +102,10 @@ def draw_relations(folder):
     """Table 2: speed over frequency, with the unit that each source uses."""
     F = np.linspace(0.5, 5, 200)
     figure, axes = style.make_figure(1, 2, 3.6)
-    lengths = (("salmon, He and Wardle: V = 0.95 F − 0.46", 0.95 * F - 0.46),
-               ("shortfin mako, Sepulveda: F = 0.94 + 0.14 V", (F - 0.94) / 0.14),
-               ("lemon shark, Sepulveda: F = 1.5 V^0.48", (F / 1.5)**(1 / 0.48)),
-               ("cyprinoid, Ohlberger: F = 1.31 V + 0.35", (F - 0.35) / 1.31))
-    for label, speed in lengths:
-        axes[0, 0].plot(F, speed, label=label)
-    axes[0, 1].plot(F, 20.65 * F - 34.80, label="salmon, Li et al.: V = 20.65 F − 34.80")
+    for label, relation in paper.RELATIONS_IN_LENGTHS:
+        axes[0, 0].plot(F, relation(F), label=label)
+    label, relation = paper.RELATION_IN_CM
+    axes[0, 1].plot(F, relation(F), label=label)
     for case in ("fish_one", "fish_two", "salmon"):
         results = runs.read_summary(folder / case)
         f = [result["frequency"] for result in results]

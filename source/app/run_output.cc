@@ -7,6 +7,20 @@
 
 namespace caudal
 {
+  namespace
+  {
+    /** Minus the resultant of the body force. */
+    template <int dim>
+    Tensor<1, dim> compute_fluid_force(const SolidBody<dim> &solid)
+    {
+      Tensor<1, dim> force;
+      for (const auto &node : solid.get_nodes())
+        for (unsigned int d = 0; d < dim; ++d)
+          force[d] -= solid.get_nodal_volumes()[node[d]] * solid.force_density[node[d]];
+      return force;
+    }
+  } // namespace
+
   template <int dim>
   RunOutput<dim>::RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
                             const OutputFolder &folder, Log &log)
@@ -19,23 +33,39 @@ namespace caudal
       , forces(system)
       , flow(summarise_flow(system.space, system.fluid.velocity))
   {
-    ledger.initial_kinetic_energy = ledger.kinetic_energy = flow.kinetic_energy;
     const bool is_root = Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0;
     for (const auto &body : system.bodies)
     {
       const SolidBody<dim> &solid = body->solid;
       initial_centers.push_back(solid.compute_mean(solid.positions));
-      const double      density = parameters.fluid.density + solid.get_excess_density();
       const std::string file =
           system.bodies.size() == 1 ? "swim.txt" : "swim_" + body->get_name() + ".txt";
-      swim_reports.push_back(body->swims()
-                                 ? std::make_unique<SwimReport>(
-                                       SwimmerConstants{body->get_name(), body->get_length(),
-                                                        density * solid.get_reference_volume(),
-                                                        parameters.fluid.kinematic_viscosity},
-                                       log.get_stream(), is_root ? folder.path(file) : "")
-                                 : nullptr);
+      swim_reports.push_back(
+          body->swims() ? std::make_unique<SwimReport>(get_constants(*body), log.get_stream(),
+                                                       is_root ? folder.path(file) : "")
+                        : nullptr);
     }
+    body_impulses.resize(system.bodies.size());
+    update_ledger(0);
+    initial_ledger = ledger;
+  }
+
+  template <int dim>
+  SwimmerConstants RunOutput<dim>::get_constants(const SwimmingBody<dim> &body) const
+  {
+    SwimmerConstants swimmer;
+    swimmer.name   = body.get_name();
+    swimmer.length = body.get_length();
+    swimmer.mass   = (parameters.fluid.density + body.solid.get_excess_density()) *
+                   body.solid.get_reference_volume();
+    swimmer.viscosity     = parameters.fluid.kinematic_viscosity;
+    swimmer.fluid_density = parameters.fluid.density;
+    swimmer.is_per_span   = dim == 2;
+    swimmer.wetted_area   = 0;
+    for (const auto &face : body.solid.get_triangulation().active_face_iterators())
+      if (face->at_boundary())
+        swimmer.wetted_area += face->measure();
+    return swimmer;
   }
 
   template <int dim>
@@ -46,15 +76,7 @@ namespace caudal
     flow = summarise_flow(system.space, system.fluid.velocity);
     update_ledger(stepper.get_previous_step());
     forces.update(stepper.get_time());
-    for (unsigned int b = 0; b < system.bodies.size(); ++b)
-      if (swim_reports[b])
-      {
-        const SwimmingBody<dim> &body = *system.bodies[b];
-        const Tensor<1, dim>     way =
-            body.solid.compute_mean(body.solid.positions) - initial_centers[b];
-        swim_reports[b]->add({stepper.get_time(), body.get_lateral_position(),
-                              way * (-body.solid.get_initial_axis(0)), body.muscle_work});
-      }
+    report_swimming(stepper.get_time(), stepper.get_previous_step());
     if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
         stepper.is_at_end())
       write_statistics(stepper, result, n_cells);
@@ -64,21 +86,57 @@ namespace caudal
   }
 
   template <int dim>
+  void RunOutput<dim>::report_swimming(const double time, const double step)
+  {
+    for (unsigned int b = 0; b < system.bodies.size(); ++b)
+      if (swim_reports[b])
+      {
+        const SwimmingBody<dim> &body    = *system.bodies[b];
+        const SolidBody<dim>    &solid   = body.solid;
+        const Tensor<1, dim>     forward = -solid.get_initial_axis(0);
+        const double             volume  = solid.get_reference_volume();
+        const double             speed   = body.get_mean_velocity() * forward;
+        body_impulses[b] -= step * (compute_fluid_force(solid) * forward);
+
+        SwimSample sample;
+        sample.time          = time;
+        sample.tail_position = body.get_lateral_position();
+        sample.forward_position =
+            (solid.compute_mean(solid.positions) - initial_centers[b]) * forward;
+        sample.muscle_work = body.muscle_work;
+        sample.forward_momentum =
+            (parameters.fluid.density + solid.get_excess_density()) * volume * speed;
+        // The body force includes the inertia of the excess mass.
+        sample.body_impulse = body_impulses[b] + solid.get_excess_density() * volume * speed;
+        sample.ledger       = ledger;
+        swim_reports[b]->add(sample);
+      }
+  }
+
+  template <int dim>
   void RunOutput<dim>::update_ledger(const double step)
   {
-    ledger.kinetic_energy    = flow.kinetic_energy;
-    const double dissipation = flow.viscous_dissipation + flow.grad_div_dissipation;
+    ledger.kinetic_energy = flow.kinetic_energy;
+    const double rate     = step > 0 ? (parameters.time.is_explicit() ? 1 : 1.5) / step : 0;
+    const double numerical =
+        flow.grad_div_dissipation +
+        compute_stabilisation_dissipation(system.space, system.fluid.velocity, rate);
+    const double dissipation = flow.viscous_dissipation + numerical;
     ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
-    last_dissipation      = dissipation;
+    ledger.numerical_dissipation += 0.5 * step * (last_numerical_dissipation + numerical);
+    last_dissipation           = dissipation;
+    last_numerical_dissipation = numerical;
     ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &body : system.bodies)
     {
       ledger.elastic_energy += body->deformation.elastic_energy;
       ledger.muscle_work += body->muscle_work;
       ledger.feedback_work += body->feedback_work;
-      // The same power seen by the body and by the fluid.
       Vector<double> weighted(body->solid.n_dofs());
       body->solid.get_mass_matrix().vmult(weighted, body->solid.velocity);
+      ledger.kinetic_energy +=
+          0.5 * body->solid.get_excess_density() * (weighted * body->solid.velocity);
+      // The same power seen by the body and by the fluid.
       FieldVector force = system.space.make_velocity_vector();
       body->interaction.spread(body->solid.force_density, force);
       double size = 0;
@@ -111,7 +169,8 @@ namespace caudal
     forces.set_control_volume_statistics(statistics);
     statistics.set("kinetic energy", "J/m", ledger.kinetic_energy);
     statistics.set("dissipation", "J/m", ledger.dissipation);
-    statistics.set("energy residual", "J/m", ledger.get_residual());
+    statistics.set("numerical dissipation", "J/m", ledger.numerical_dissipation);
+    statistics.set("energy residual", "J/m", ledger.get_residual(initial_ledger));
     statistics.set("power identity", "", identity);
     set_probe_statistics();
     if (!parameters.fluid.exact_solution.empty())

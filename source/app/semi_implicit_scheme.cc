@@ -44,7 +44,10 @@ namespace caudal
         const unsigned int iterations = this->solve(residual, coupled, implicit, true);
 
         for (const auto &body : system.bodies)
+        {
           move_body(*body, weights);
+          compute_middle_forces(*body, stepper);
+        }
         return this->check_trial_state(iterations, stepper.get_step(), predicted);
       }
 
@@ -185,8 +188,18 @@ namespace caudal
         body.interaction.interpolate(new_velocity, body.new_velocity);
         body.solid.apply_inverse_mass(body.new_velocity);
         body.new_positions = integrate_position(body, weights);
-        body.new_feedback_force =
-            body.compute_feedback_force(body.new_positions, body.new_velocity);
+      }
+
+      /** Forces in the middle of the step: their work is of second order, as the scheme is. */
+      void compute_middle_forces(SwimmingBody<dim> &body, const TimeStepper &stepper) const
+      {
+        TimerOutput::Scope    timer_section(system.timer, "assemble body");
+        const SolidBody<dim> &solid = body.solid;
+        Vector<double>        positions(solid.positions), velocity(solid.velocity);
+        positions.sadd(0.5, 0.5, body.new_positions);
+        velocity.sadd(0.5, 0.5, body.new_velocity);
+        body.assemble_forces(positions, stepper.get_time() + 0.5 * stepper.get_step(), false);
+        body.new_feedback_force = body.compute_feedback_force(positions, velocity);
       }
     };
   } // namespace

@@ -243,7 +243,10 @@ namespace caudal
     Vector<double> driving_force(elastic_system.active_force);
     if (has_gait())
     {
-      solid.get_mass_matrix().vmult(driving_force, new_force_density);
+      Vector<double> mean_density(solid.force_density);
+      mean_density += new_force_density;
+      mean_density *= 0.5;
+      solid.get_mass_matrix().vmult(driving_force, mean_density);
       driving_force -= elastic_system.elastic_force;
       driving_force -= new_feedback_force;
     }
@@ -253,7 +256,7 @@ namespace caudal
     // Fluid moves through fixed nodes rather than with them.
     for (unsigned int i = 0; i < solid.n_dofs(); ++i)
       if (solid.is_fixed(i))
-        displacement[i] = step * new_velocity[i];
+        displacement[i] = 0.5 * step * (solid.velocity[i] + new_velocity[i]);
     feedback_work += new_feedback_force * displacement;
 
     solid.old_positions = solid.positions;

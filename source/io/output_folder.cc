@@ -23,17 +23,22 @@ namespace caudal
       return std::getline(file, line) && line == signature;
     }
 
-    /** statistics.txt or statistics_<case>.txt */
-    bool is_statistics(const std::string &name)
+    /** statistics.txt or statistics_<case>.txt, swim.txt or swim_<body>.txt and .json */
+    bool is_table(const std::string &name)
     {
-      return name == "statistics.txt" ||
-             (name.rfind("statistics_", 0) == 0 && fs::path(name).extension() == ".txt");
+      const std::string stem = fs::path(name).stem().string(), ending = fs::path(name).extension();
+      const auto        is_called = [&](const std::string &title) {
+        return stem == title || stem.rfind(title + "_", 0) == 0;
+      };
+      return (ending == ".txt" && (is_called("statistics") || is_called("swim"))) ||
+             (ending == ".json" && is_called("swim"));
     }
 
-    /** Everything that Caudal and scripts/plot write, and nothing else. */
+    /** Everything that Caudal, scripts/plot, report and paraview write, and nothing else. */
     void remove_results(const fs::path &folder)
     {
-      const std::set<std::string> names   = {"log.txt", "swim.txt", "summary.txt", "summary.csv"};
+      const std::set<std::string> names   = {"log.txt", "summary.txt", "summary.csv", "report.html",
+                                             "view.py"};
       const std::set<std::string> endings = {".pvd", ".xdmf", ".vtu", ".h5", ".png"};
 
       const auto remove_files = [&](const fs::path &where) {
@@ -41,7 +46,7 @@ namespace caudal
         if (fs::is_directory(where))
           for (const auto &entry : fs::directory_iterator(where))
             if (!entry.is_directory() && (names.count(entry.path().filename().string()) > 0 ||
-                                          is_statistics(entry.path().filename().string()) ||
+                                          is_table(entry.path().filename().string()) ||
                                           endings.count(entry.path().extension().string()) > 0))
               found.insert(entry.path());
         for (const auto &path : found)

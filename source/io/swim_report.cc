@@ -1,73 +1,15 @@
 #include <caudal/io/swim_report.h>
+#include <caudal/io/swim_table.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <iomanip>
 
 using namespace dealii;
 
 namespace caudal
 {
-  namespace
-  {
-    const double steady_change = 0.02;
-
-    struct Column
-    {
-      const char *title;
-      const char *definition;
-      int         precision;
-      double (*get)(const TailBeat &);
-    };
-
-    const Column columns[] = {
-        {"start[s]", "the tail rises through its mean", 4,
-         [](const TailBeat &b) { return b.start; }},
-        {"T[s]", "period, to the next rise", 4, [](const TailBeat &b) { return b.period; }},
-        {"f[Hz]", "frequency 1/T", 4, [](const TailBeat &b) { return b.frequency; }},
-        {"A[m]", "amplitude: half of peak to trough", 4,
-         [](const TailBeat &b) { return b.amplitude; }},
-        {"U[m/s]", "mean forward speed of the centre of mass", 4,
-         [](const TailBeat &b) { return b.speed; }},
-        {"U[L/s]", "the same in body lengths L", 4,
-         [](const TailBeat &b) { return b.lengths_per_s; }},
-        {"St", "Strouhal number 2 f A / |U|", 4, [](const TailBeat &b) { return b.strouhal; }},
-        {"Re", "Reynolds number |U| L / nu", 0, [](const TailBeat &b) { return b.reynolds; }},
-        {"Sw", "swimming number 2 pi f A L / nu", 0, [](const TailBeat &b) { return b.swimming; }},
-        {"P[W/m]", "mean power of the muscle", 4, [](const TailBeat &b) { return b.power; }},
-        {"P/U[J/m/m]", "energy per metre of way", 4,
-         [](const TailBeat &b) { return b.energy_per_metre; }},
-        {"CoT[J/kg/m]", "cost of transport P / (m |U|), m the body's mass", 5,
-         [](const TailBeat &b) { return b.cost_of_transport; }},
-        {"dU[%]", "change of U since the beat before, relative to U", 2,
-         [](const TailBeat &b) { return 100 * b.change; }},
-        {"steady", "1: this change is less than 2 %", 0,
-         [](const TailBeat &b) { return b.is_steady ? 1. : 0.; }}};
-
-    void write_header(std::ostream &out, const std::string &body)
-    {
-      out << "# Tail beats of " << body << "\n#\n";
-      for (const Column &column : columns)
-        out << "# " << std::left << std::setw(12) << column.title << std::right << column.definition
-            << '\n';
-      out << "#\n#beat";
-      for (const Column &column : columns)
-        out << std::setw(12) << column.title;
-      out << '\n';
-    }
-
-    void write_row(std::ostream &out, const std::size_t number, const TailBeat &beat)
-    {
-      out << std::setw(5) << number << std::fixed;
-      for (const Column &column : columns)
-        out << std::setw(12) << std::setprecision(column.precision) << column.get(beat);
-      out << std::defaultfloat << std::setprecision(6) << std::endl;
-    }
-  } // namespace
-
   TailCycleDetector::TailCycleDetector(const double smallest_amplitude)
       : smallest_swing(2 * smallest_amplitude)
   {}
@@ -143,44 +85,6 @@ namespace caudal
     return times[i - 1] + weight * (times[i] - times[i - 1]);
   }
 
-  TailBeat compute_beat(const SwimmerConstants &swimmer, const std::vector<SwimSample> &samples,
-                        const TailCycle &cycle, const double previous_speed)
-  {
-    Assert(!samples.empty() && samples.front().time <= cycle.start &&
-               cycle.end <= samples.back().time,
-           ExcInternalError());
-    const auto interpolate = [&](const double time, double SwimSample::*value) {
-      const auto after =
-          std::upper_bound(samples.begin() + 1, samples.end() - 1, time,
-                           [](const double t, const SwimSample &s) { return t < s.time; });
-      const auto   before = after - 1;
-      const double weight = (time - before->time) / (after->time - before->time);
-      return (1 - weight) * (*before).*value + weight * (*after).*value;
-    };
-    const auto get_rate = [&](double SwimSample::*value) {
-      return (interpolate(cycle.end, value) - interpolate(cycle.start, value)) /
-             (cycle.end - cycle.start);
-    };
-
-    TailBeat beat;
-    beat.start             = cycle.start;
-    beat.period            = cycle.end - cycle.start;
-    beat.frequency         = 1 / beat.period;
-    beat.amplitude         = cycle.amplitude;
-    beat.speed             = get_rate(&SwimSample::forward_position);
-    const double magnitude = std::abs(beat.speed);
-    beat.lengths_per_s     = beat.speed / swimmer.length;
-    beat.strouhal          = 2 * beat.frequency * beat.amplitude / magnitude;
-    beat.reynolds          = magnitude * swimmer.length / swimmer.viscosity;
-    beat.swimming = 2 * M_PI * beat.frequency * beat.amplitude * swimmer.length / swimmer.viscosity;
-    beat.power    = get_rate(&SwimSample::muscle_work);
-    beat.energy_per_metre  = beat.power / magnitude;
-    beat.cost_of_transport = beat.energy_per_metre / swimmer.mass;
-    beat.change            = (beat.speed - previous_speed) / magnitude;
-    beat.is_steady         = std::abs(beat.change) < steady_change;
-    return beat;
-  }
-
   SwimReport::SwimReport(const SwimmerConstants &swimmer, std::ostream &log,
                          const std::string &file)
       : swimmer(swimmer)
@@ -199,49 +103,46 @@ namespace caudal
     beats.push_back(
         compute_beat(swimmer, samples, *cycle, beats.empty() ? 0. : beats.back().speed));
     if (beats.size() == 1)
-      write_header(log, swimmer.name);
-    write_row(log, beats.size(), beats.back());
-    write_file();
+      write_screen_header(log, swimmer);
+    write_screen_row(log, beats.size(), beats.back());
+    write_files();
 
     const auto still_needed = std::find_if(
         samples.begin(), samples.end(), [&](const SwimSample &s) { return s.time > cycle->end; });
     samples.erase(samples.begin(), still_needed - 1);
   }
 
-  void SwimReport::finish()
+  std::size_t SwimReport::count_steady_beats() const
   {
-    const auto first = std::find_if(beats.rbegin(), beats.rend(), [](const TailBeat &beat) {
-                         return !beat.is_steady;
-                       }).base();
-    const auto n     = beats.end() - first;
-    if (n == 0)
-    {
-      log << swimmer.name << ": " << beats.size()
-          << " tail beats, the speed is not steady at the end." << std::endl;
-      return;
-    }
-    TailBeat mean;
-    for (auto beat = first; beat != beats.end(); ++beat)
-    {
-      mean.period += beat->period / n;
-      mean.amplitude += beat->amplitude / n;
-      mean.speed += beat->speed / n;
-      mean.power += beat->power / n;
-    }
-    log << swimmer.name << ": steady over the last " << n << " of " << beats.size()
-        << " tail beats: U = " << mean.speed << " m/s = " << mean.speed / swimmer.length
-        << " L/s, T = " << mean.period << " s, A = " << mean.amplitude << " m, P = " << mean.power
-        << " W/m." << std::endl;
+    return std::find_if(beats.rbegin(), beats.rend(),
+                        [](const TailBeat &beat) { return !beat.is_steady; }) -
+           beats.rbegin();
   }
 
-  void SwimReport::write_file() const
+  void SwimReport::finish()
+  {
+    if (beats.empty())
+    {
+      log << swimmer.name << ": no whole tail beat." << std::endl;
+      return;
+    }
+    const std::size_t n = std::max<std::size_t>(count_steady_beats(), 1);
+    write_summary(log, swimmer, compute_mean(swimmer, {beats.end() - n, beats.end()}), n,
+                  beats.size());
+  }
+
+  void SwimReport::write_files() const
   {
     if (file.empty())
       return;
     std::ofstream out(file);
-    write_header(out, swimmer.name);
-    for (std::size_t i = 0; i < beats.size(); ++i)
-      write_row(out, i + 1, beats[i]);
-    AssertThrow(out, ExcMessage("The table of tail beats <" + file + "> can't be written."));
+    write_swim_table(out, swimmer, beats);
+    AssertThrow(out.flush(),
+                ExcMessage("The table of tail beats <" + file + "> can't be written."));
+    const std::string json_file = file.substr(0, file.rfind('.')) + ".json";
+    std::ofstream     json(json_file);
+    write_swim_json(json, swimmer, beats, count_steady_beats());
+    AssertThrow(json.flush(),
+                ExcMessage("The table of tail beats <" + json_file + "> can't be written."));
   }
 } // namespace caudal

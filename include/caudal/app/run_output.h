@@ -11,24 +11,6 @@
 
 namespace caudal
 {
-  /** Energies of fluid and bodies since the start (per metre of span in 2D). */
-  struct EnergyLedger
-  {
-    double initial_kinetic_energy = 0;
-    double kinetic_energy         = 0;
-    double elastic_energy         = 0;
-    double dissipation            = 0;
-    double muscle_work            = 0;
-    double feedback_work          = 0;
-
-    /** What is unaccounted for: flow through the sides, errors of the schemes and of the grid. */
-    double get_residual() const
-    {
-      return muscle_work + feedback_work -
-             (kinetic_energy - initial_kinetic_energy + elastic_energy + dissipation);
-    }
-  };
-
   /** Writes what a run finds: fields, statistics.txt and the tables of tail beats. */
   template <int dim>
   class RunOutput
@@ -58,19 +40,23 @@ namespace caudal
     std::vector<std::unique_ptr<SwimReport>> swim_reports;
     std::vector<Tensor<1, dim>>              initial_centers;
     ForceAccount<dim>                        forces;
-    EnergyLedger                             ledger;
+    EnergyLedger                             ledger, initial_ledger;
+    std::vector<double>                      body_impulses; // forward [N s/m]
     FlowSummary<dim>                         flow;
-    double                                   last_dissipation = 0; // [W/m]
-    unsigned int                             n_field_outputs  = 0;
-    double                                   last_field_time  = -1;
+    double                                   last_dissipation           = 0; // [W/m]
+    double                                   last_numerical_dissipation = 0; // [W/m]
+    unsigned int                             n_field_outputs            = 0;
+    double                                   last_field_time            = -1;
 
-    void update_ledger(double step);
-    void write_statistics(const TimeStepper &stepper, const StepResult &result,
-                          unsigned int n_cells);
-    void set_probe_statistics();
-    void set_body_statistics(unsigned int body);
-    void write_fluid(double time);
-    void write_body(const SwimmingBody<dim> &body, double time);
+    SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
+    void             update_ledger(double step);
+    void             report_swimming(double time, double step);
+    void             write_statistics(const TimeStepper &stepper, const StepResult &result,
+                                      unsigned int n_cells);
+    void             set_probe_statistics();
+    void             set_body_statistics(unsigned int body);
+    void             write_fluid(double time);
+    void             write_body(const SwimmingBody<dim> &body, double time);
   };
 } // namespace caudal
 

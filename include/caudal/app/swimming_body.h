@@ -80,7 +80,10 @@ namespace caudal
       return has_gait() || muscle->has_force() || muscle->has_active_stress();
     }
 
-    /** Work of the step: the new state becomes the present one. */
+    /**
+     * Work of the step, by the midpoint rule from the forces of elastic_system and
+     * new_feedback_force: the new state becomes the present one.
+     */
     void accept_step(double step);
 
     /** Lateral position [m] of the muscle's monitored point, as the muscle is told. */
@@ -108,7 +111,7 @@ namespace caudal
     SparseMatrix<double>     response;
 
     Vector<double>     new_positions, new_velocity, new_force_density;
-    Vector<double>     new_feedback_force; // of the step, for its work
+    Vector<double>     new_feedback_force; // in the middle of the step, for its work
     DeformationSummary deformation;
 
     // Since the start [J/m in 2D]

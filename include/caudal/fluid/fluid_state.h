@@ -46,6 +46,16 @@ namespace caudal
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
 
+  /**
+   * What the local projection stabilisation of the convection dissipates,
+   * int tau |k(u.grad u)|^2 [W, per metre of span in 2D: W/m]; @p rate [1/s] is the
+   * weight of the present velocity in the time derivative, by which tau is limited, see
+   * CellMatrices::get_convection_matrix().
+   */
+  template <int dim>
+  double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
+                                           const FieldVector &velocity, double rate);
+
   /** Velocity [m/s] and pressure [Pa] at a point. */
   template <int dim>
   struct ProbeValues

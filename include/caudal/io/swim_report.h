@@ -1,6 +1,8 @@
 #ifndef caudal_io_swim_report_h
 #define caudal_io_swim_report_h
 
+#include <caudal/io/tail_beat.h>
+
 #include <boost/serialization/vector.hpp>
 
 #include <optional>
@@ -10,14 +12,6 @@
 
 namespace caudal
 {
-  /** One full cycle of the tail, from an up-crossing to the next. */
-  struct TailCycle
-  {
-    double start     = 0; // [s]
-    double end       = 0; // [s]
-    double amplitude = 0; // half the distance from peak to trough [m]
-  };
-
   /**
    * Finds the cycles of a lateral position y(t) while it is fed sample by sample.
    *
@@ -58,75 +52,20 @@ namespace caudal
     double              amplitude = 0;  // of the running cycle [m]
   };
 
-  /** What does not change while the fish swims; per metre of span in 2D. */
-  struct SwimmerConstants
-  {
-    std::string name;                      // of the body
-    double      length;                    // L [m]
-    double      mass;                      // m [kg/m]
-    double      viscosity;                 // kinematic, nu [m^2/s]
-    double      minimum_amplitude = 0.005; // of a tail beat, in L
-  };
-
-  /** The state of the fish after a step. */
-  struct SwimSample
-  {
-    double time;             // [s]
-    double tail_position;    // lateral, of the monitored point [m]
-    double forward_position; // of the centre of mass, along the swimming direction [m]
-    double muscle_work;      // since the start [J/m]
-
-    template <class Archive>
-    void serialize(Archive &archive, unsigned int /*version*/)
-    {
-      archive &time &tail_position &forward_position &muscle_work;
-    }
-  };
-
-  /** The numbers of one tail beat; their definitions are printed with the table. */
-  struct TailBeat
-  {
-    double start             = 0; // [s]
-    double period            = 0; // T [s]
-    double frequency         = 0; // f [Hz]
-    double amplitude         = 0; // A [m]
-    double speed             = 0; // U [m/s]
-    double lengths_per_s     = 0; // U/L [1/s]
-    double strouhal          = 0;
-    double reynolds          = 0;
-    double swimming          = 0;
-    double power             = 0; // P [W/m]
-    double energy_per_metre  = 0; // P/|U| [J/m per m]
-    double cost_of_transport = 0; // P/(m |U|) [J/(kg m)]
-    double change            = 0; // of U since the beat before, relative
-    bool   is_steady         = false;
-
-    template <class Archive>
-    void serialize(Archive &archive, unsigned int /*version*/)
-    {
-      archive &start &period &frequency &amplitude &speed &lengths_per_s &strouhal &reynolds;
-      archive &swimming &power &energy_per_metre &cost_of_transport &change        &is_steady;
-    }
-  };
-
-  /**
-   * The numbers of the cycle @p cycle from @p samples that cover it: mean values are
-   * differences of position and work between its interpolated ends.
-   */
-  TailBeat compute_beat(const SwimmerConstants &swimmer, const std::vector<SwimSample> &samples,
-                        const TailCycle &cycle, double previous_speed);
-
-  /** A table with one row per tail beat, in the log as the fish swims and in a file. */
+  /** A table with one row per tail beat, in the log as the fish swims and in files. */
   class SwimReport
   {
   public:
-    /** Rows go to @p log, the whole table to @p file (none, if the name is empty). */
+    /**
+     * Rows go to @p log, the whole table to @p file (none, if the name is empty) and, with
+     * the ending .json instead of .txt, to a file for programs.
+     */
     SwimReport(const SwimmerConstants &swimmer, std::ostream &log, const std::string &file);
 
     /** After each step. */
     void add(const SwimSample &sample);
 
-    /** Writes the mean of the steady beats at the end to the log. */
+    /** Writes the mean of the steady beats at the end, or else the last beat, to the log. */
     void finish();
 
     const std::vector<TailBeat> &get_beats() const
@@ -141,7 +80,8 @@ namespace caudal
     }
 
   private:
-    void write_file() const;
+    void        write_files() const;
+    std::size_t count_steady_beats() const;
 
     const SwimmerConstants  swimmer;
     std::ostream           &log;

@@ -1,0 +1,83 @@
+"""Sections that the reports of both models have."""
+
+import io
+
+from caudal_plots import BrokenData, MissingData, style
+
+from . import page
+
+
+def make_excuse(report, what, reason):
+    """Says in the page why something is not there; damaged files are troubles of the report."""
+    if isinstance(reason, BrokenData):
+        report.troubles.append(str(reason))
+    return page.make_note(f"{page.escape(what)} {page.escape(reason)}")
+
+
+def draw_picture(report, draw, caption, dpi=120):
+    """A matplotlib figure as an embedded PNG, or the reason why there is none."""
+    try:
+        figure = draw()
+    except MissingData as reason:
+        return make_excuse(report, f"{caption}: not drawn.", reason)
+    data = io.BytesIO()
+    figure.savefig(data, format="png", dpi=dpi)
+    style.close(figure)
+    return page.make_picture("png", data.getvalue(), caption)
+
+
+def place_movie(report, make):
+    """An animation, or the reason why there is none."""
+    try:
+        return report.place_movie(make())
+    except MissingData as reason:
+        return make_excuse(report, "No animation.", reason)
+
+
+def make_warnings(log):
+    if not log.warnings:
+        return page.make_note("None.")
+    return "".join(f'<p class="warning">{page.escape(line)}'
+                   + (f" <b>({count} times)</b>" if count > 1 else "") + "</p>"
+                   for line, count in log.warnings)
+
+
+def make_program(log):
+    """Version, machine, libraries, and what the log says on grid, body and method."""
+    return "<pre>" + page.escape("\n".join(log.banner + [""] + log.get_facts())) + "</pre>"
+
+
+def make_timings(log):
+    """The costs of the run, and a bar for each part of the program."""
+    content = page.make_note(page.escape(log.costs) if log.costs else
+                             "The log tells no costs: the run goes on or has broken off.")
+    if log.timings:
+        largest = max(share for _, _, share in log.timings)
+        rows = [(page.escape(name), page.format_number(seconds), f"{share:.1f}",
+                 f'<div class="bar-cell"><i style="width:{100 * share / largest:.1f}%"></i></div>')
+                for name, seconds, share in sorted(log.timings, key=lambda row: -row[1])]
+        content += page.make_table(("part", "wall time [s]", "share [%]", ""), rows,
+                                   left=(0, 3))
+    return content
+
+
+def make_parameters(entries, folder):
+    """What differs from the defaults, and the whole file."""
+    changed = [(page.escape(section), page.escape(entry), page.escape(value), page.escape(default))
+               for section, entry, value, default in entries if default is not None]
+    content = page.make_table(("section", "entry", "value", "default"), changed,
+                              "What differs from the program's defaults; SI units.", left=range(4))
+    text = (folder / "parameters.prm").read_text(encoding="utf-8", errors="replace")
+    return content + (f"<details><summary>All {len(entries)} parameters: parameters.prm"
+                      f"</summary><pre>{page.escape(text)}</pre></details>")
+
+
+def make_state(log):
+    """How the run ended, and what made it."""
+    return f"{get_end(log)}; {log.banner[0] if log.banner else 'unknown version'}"
+
+
+def get_end(log):
+    if log.is_finished:
+        return "finished"
+    return "stopped on request" if log.costs else "not finished: this is what it has so far"

@@ -1,0 +1,82 @@
+"""What a run says in words: its parameters and its log."""
+
+import re
+
+from caudal_plots import MissingData
+
+
+def read_text(path):
+    """The text of a file that a report can't do without."""
+    if not path.is_file():
+        raise MissingData(f"There is no {path}; is this the output folder of a run?")
+    return path.read_text(encoding="utf-8", errors="replace")
+
+
+def read_parameters(folder):
+    """[(section path, entry, value, default or None)] of parameters.prm."""
+    section, entries = [], []
+    for line in read_text(folder / "parameters.prm").splitlines():
+        line = line.strip()
+        if line.startswith("subsection "):
+            section.append(line.removeprefix("subsection ").strip())
+        elif line == "end" and section:
+            section.pop()
+        elif match := re.match(r"set\s+(.*?)\s*=\s*(.*?)\s*(?:# default: ?(.*))?$", line):
+            entries.append(("/".join(section), match[1], match[2],
+                            None if match[3] is None else match[3].strip()))
+    if not entries:
+        raise MissingData(f"{folder / 'parameters.prm'} has no parameters; did the run start?")
+    return entries
+
+
+class Log:
+    """log.txt in parts: head, warnings, sizes, the last state and where the time went."""
+
+    def __init__(self, folder):
+        self.lines = read_text(folder / "log.txt").splitlines()
+
+    @property
+    def banner(self):
+        """Version, machine and libraries: what stands before the first empty line."""
+        end = self.lines.index("") if "" in self.lines else len(self.lines)
+        return self.lines[:end]
+
+    @property
+    def warnings(self):
+        """Warnings, failed steps and errors, each once, with the number of times."""
+        counts = {}
+        for line in self.lines:
+            if re.match(r"(Warning|Error)\b|The step from .* failed|The last good state", line):
+                counts[line] = counts.get(line, 0) + 1
+        return list(counts.items())
+
+    @property
+    def is_finished(self):
+        """Whether the run came to its end by itself."""
+        return self.costs is not None and not any(line.startswith("Stopped on request")
+                                                  for line in self.lines)
+
+    @property
+    def costs(self):
+        """The paragraph of the costs, or None while the run goes on."""
+        for line in reversed(self.lines):
+            if re.match(r"\d+ steps in |CPU of rank 0", line):
+                return line
+        return None
+
+    @property
+    def timings(self):
+        """[(section, seconds, per cent)] of the wall time."""
+        rows = [re.match(r"\s{2}(\S.*?)\s{2,}([\d.]+) s\s+([\d.]+) %$", line) for line in self.lines]
+        return [(row[1], float(row[2]), float(row[3])) for row in rows if row]
+
+    def get_facts(self):
+        """The lines on bodies, grid and method between the banner and the first progress."""
+        start = len(self.banner)
+        facts = []
+        for line in self.lines[start:]:
+            if re.match(r"t = |#|Table of phases|frequency \[", line):
+                break
+            if line.strip() and not line.startswith(("Warning", "Override")):
+                facts.append(line)
+        return facts

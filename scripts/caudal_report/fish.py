@@ -1,0 +1,194 @@
+"""The report of a run of the immersed swimmer."""
+
+import numpy as np
+
+from caudal_plots import style
+from caudal_plots.main import FIGURES
+from caudal_plots.results import Run
+
+from . import common, files, movie, page, tables
+from .chart import DASHED, make_chart, make_curve, make_curves
+
+SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
+GREY = "#8a949b"
+TIME = "time [s]"
+AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
+
+
+def get_sum(run, name):
+    return sum(run.get(f"{body}: {name}") for body in run.bodies)
+
+
+def make_motion_charts(run):
+    """Speed, way, tail and heading of all bodies."""
+    t = run.time
+    speed, way, tail = [], [], []
+    for body in run.bodies:
+        x = run.get(f"{body}: x of centre of mass")
+        speed.append((f"{body}, centre of mass", -run.get(f"{body}: u of centre of mass")))
+        if f"{body}: u of point 1 [m/s]" in run.columns:
+            speed.append((f"{body}, point 1", -run.get(f"{body}: u of point 1")))
+        way.append((body, x[0] - x))
+        tail.append((body, run.get(f"{body}: lateral position")))
+    options = {"group": "time", "zero": True}
+    return [make_chart("Speed, positive towards −x", TIME, "speed [m/s]", make_curves(t, speed),
+                       **options),
+            make_chart("Way of the centre of mass towards −x", TIME, "way [m]", make_curves(t, way),
+                       **options),
+            make_chart("Tail: lateral position of the muscle's monitored point", TIME,
+                       "lateral position [m]", make_curves(t, tail), **options),
+            make_chart("Muscle power", TIME, "power [W/m]",
+                       make_curves(t, [(body, run.get(f"{body}: muscle power"))
+                                       for body in run.bodies]), **options)]
+
+
+def make_force_charts(run):
+    """Forces on the bodies, by d(mv)/dt if the mass is known, and body forces."""
+    t, axial, lateral = run.time, [], []
+    for body in run.bodies:
+        axial.append((f"{body}, axial (x)", run.get(f"{body}: force x of the fluid")))
+        lateral.append((f"{body}, lateral (y)", run.get(f"{body}: force y of the fluid")))
+    note = "Minus the resultant of the body's forces; the rate of change of its momentum is not in it."
+    return [make_chart("Force of the fluid on the body", TIME, "force [N/m]",
+                       make_curves(t, axial + lateral), group="time", zero=True, note=note)]
+
+
+def make_momentum_chart(run, reports):
+    """m dv/dt forward, where the mass is known from the swim report."""
+    t, curves = run.time, []
+    for report in reports:
+        v = -run.get(f"{report['body']}: u of centre of mass")
+        rate = report["constants"]["mass"]["value"] * np.gradient(v, t)
+        curves.append((report["body"], rate))
+    if not curves:
+        return []
+    return [make_chart("Net force forward, d(mv)/dt", TIME, "force [N/m]", make_curves(t, curves),
+                       group="time", zero=True,
+                       note="Its positive part is the thrust, its negative part the drag of the "
+                            "table of tail beats, if nothing else pushes the body forward.")]
+
+
+def make_quality_charts(run):
+    """Area and J of the bodies, cells, steps and solver."""
+    t, area, jacobian = run.time, [], []
+    for k, body in enumerate(run.bodies):
+        area.append((body, 100 * run.get(f"{body}: area change")))
+        colour = style.LINES[k % len(style.LINES)]
+        jacobian += [make_curve(f"{body}, largest J", t, run.get(f"{body}: max J"), colour),
+                     make_curve(f"{body}, smallest J", t, run.get(f"{body}: min J"), colour,
+                                dash=DASHED)]
+    numbers = [make_curve("CFL number of the flow", t, run.get("CFL"), style.LINES[0]),
+               make_curve("of the body", t, run.get("body CFL"), style.LINES[1])]
+    identity = np.maximum(abs(run.get("power identity")), 1e-18)
+    return [make_chart("Change of the bodies' area", TIME, "change of area [%]",
+                       make_curves(t, area), group="time", zero=True),
+            make_chart("Range of J = det F in the bodies", TIME, "J [1]", jacobian, group="time"),
+            make_chart("Cells of the fluid's grid", TIME, "cells [1]",
+                       make_curves(t, [("cells", run.get("cells"))]), group="time"),
+            make_chart("Time step", TIME, "time step [s]",
+                       make_curves(t, [("time step", run.get("time step"))]), group="time",
+                       zero=True),
+            make_chart("CFL numbers", TIME, "CFL number [1]", numbers, group="time", zero=True),
+            make_chart("Iterations of the solver in a step", TIME, "iterations [1]",
+                       make_curves(t, [("iterations", run.get("iterations"))]), group="time",
+                       zero=True),
+            make_chart("Power identity: body against fluid", TIME, "relative difference [1]",
+                       make_curves(t, [("difference", identity)]), group="time", log=True)]
+
+
+def get_ledger(run):
+    """(name, values, is on the right hand side) of the energy ledger over time."""
+    kinetic = run.get("kinetic energy")
+    ledger = [("muscle work", get_sum(run, "muscle work")),
+              ("change of kinetic energy", kinetic - kinetic[0]),
+              ("change of elastic energy", get_sum(run, "elastic energy")),
+              ("dissipation", run.get("dissipation")),
+              ("taken by feedback", -get_sum(run, "feedback work")),
+              ("residual", run.get("energy residual"))]
+    return ledger
+
+
+def make_ledger_section(run, report, reports):
+    t, ledger = run.time, get_ledger(run)
+    curves = make_curves(t, ledger)
+    curves[0].update(color="#000000", width=2.2)
+    curves[-1].update(color=GREY, dash=DASHED)
+    charts = [make_chart("Energy since the start", TIME, "energy [J/m]", curves, group="time",
+                         zero=True),
+              make_chart("Residual of the ledger", TIME, "residual [J/m]",
+                         [make_curve("residual", t, ledger[-1][1], GREY)], group="time", zero=True)]
+    work = ledger[0][1][-1]
+    listed = list(ledger)
+    if "numerical dissipation [J/m]" in run.columns:
+        listed.insert(4, ("– of it by the stabilisations", run.get("numerical dissipation")))
+    rows = [(page.escape(name), page.format_number(values[-1]),
+             page.format_number(100 * values[-1] / work if work else None, 3))
+            for name, values in listed]
+    total = page.make_table((f"at t = {t[-1]:.3f} s", "energy [J/m]", "[% of muscle work]"), rows,
+                            "muscle work = changes of kinetic and elastic energy + dissipation + "
+                            "taken by feedback + residual")
+    content = total + report.place_charts(charts)
+    if reports:
+        # The ledger is that of all bodies together; the first body's beats divide it.
+        content += f"<h3>Per tail beat of {page.escape(reports[0]['body'])}</h3>"
+        content += tables.make_beat_ledger(reports[0])
+    return content
+
+
+def make_swim_section(reports):
+    if not any(report["beats"] for report in reports):
+        return page.make_note("No whole tail beat: there is no swim.json with beats. It is written "
+                              "from the first whole beat of a body that swims on.")
+    content = ""
+    for report in reports:
+        if not report["beats"]:
+            continue
+        n, mass = report["steady beats"], report["constants"]["mass"]
+        state = (f"steady over the last {n} of {len(report['beats'])} tail beats (drift of the speed "
+                 "below 2 % a beat)" if n else
+                 f"{len(report['beats'])} tail beats, the speed is not steady at the end")
+        content += (f"<h3>{page.escape(report['body'])}: {state}</h3>"
+                    + tables.make_swim_tiles(report)
+                    + page.make_note(f"Length {report['constants']['length']['value']:g} m, mass "
+                                     f"{page.format_number(mass['value'])} {mass['unit']}. "
+                                     "Key figures: " + ("mean of the steady beats." if n else
+                                                        "the last beat."))
+                    + tables.make_beat_table(report)
+                    + "<details open><summary>All quantities and their definitions</summary>"
+                    + tables.make_swim_table(report) + "</details>")
+    return content
+
+
+def describe(folder, n_frames, with_pictures):
+    """The page of a run; MissingData if what it can't do without is not there."""
+    entries, log, run = files.read_parameters(folder), files.Log(folder), Run(folder)
+    reports = tables.read_swim(folder)
+    end = run.time[-1]
+    names = ", ".join(run.bodies)
+    plane = dict((entry, value) for section, entry, value, _ in entries if not section
+                 ).get("Dimension", "2") == "2"
+    report = page.Page(f"Caudal: {names}",
+                       f"Immersed elastic swimmer, {folder.resolve().name}: t = 0 to {end:g} s, "
+                       f"{common.make_state(log)}."
+                       + (f" <b>{SPAN}</b>" if plane else ""))
+    report.add("Swimming", make_swim_section(reports))
+    if n_frames > 0:
+        report.add("The wake", common.place_movie(report,
+                                                  lambda: movie.make_wake_movie(run, n_frames)))
+    hint = page.make_note("Drag over a span of time to zoom (all charts), double click for the whole "
+                          "run, hover to read values, click a name to hide its curve.")
+    report.add("Motion and forces", hint + report.place_charts(
+        make_motion_charts(run) + make_momentum_chart(run, reports) + make_force_charts(run)))
+    report.add("Energy ledger", make_ledger_section(run, report, reports))
+    report.add("Quality", report.place_charts(make_quality_charts(run)))
+    if with_pictures:
+        report.add("Pictures", "".join(
+            common.draw_picture(report, lambda draw=draw: draw(run),
+                                (caption[0].upper() + caption[1:])
+                                .replace("(figure ", "(the paper's figure "))
+            for name, caption, draw in FIGURES if name not in AS_CHARTS))
+    report.add("Warnings", common.make_warnings(log))
+    report.add("Time spent", common.make_timings(log))
+    report.add("Program, grid and body", common.make_program(log))
+    report.add("Parameters", common.make_parameters(entries, folder))
+    return report

@@ -1,0 +1,49 @@
+"""The command line of scripts/report."""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from caudal_plots import MissingData, style
+
+from . import fish, page, salmon
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(
+        prog="scripts/report", description="Writes the report of a run of Caudal, of either model, "
+        "as one HTML page that needs no network.")
+    parser.add_argument("folder", metavar="DIR", type=pathlib.Path, help="the run's output folder")
+    parser.add_argument("--output", metavar="FILE", type=pathlib.Path,
+                        help="the page (DIR/report.html)")
+    parser.add_argument("--frames", metavar="N", type=int, default=100,
+                        help="largest number of pictures in the animation (100; 0: none)")
+    parser.add_argument("--no-pictures", action="store_true",
+                        help="leave out what scripts/plot draws: faster")
+    options = parser.parse_args(arguments)
+    if options.frames < 0:
+        parser.error("--frames: give 0 or more.")
+    if not options.folder.is_dir():
+        print(f"{options.folder}: there is no such folder.", file=sys.stderr)
+        return 1
+
+    style.apply()
+    output = options.output or options.folder / "report.html"
+    try:
+        describe = salmon.describe if salmon.is_potential(options.folder) else fish.describe
+        report = describe(options.folder, options.frames, not options.no_pictures)
+        text = page.render(report)
+        temporary = output.with_name(output.name + ".tmp")
+        temporary.write_text(text, encoding="utf-8")
+        os.replace(temporary, output)
+    except MissingData as reason:
+        print(f"scripts/report: no report. {reason}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"scripts/report: {output} can't be written: {error.strerror}.", file=sys.stderr)
+        return 1
+    print(f"{output} ({len(text.encode()) / 1e6:.1f} MB)")
+    for trouble in dict.fromkeys(report.troubles):
+        print(f"scripts/report: {trouble} The page says what is missing.", file=sys.stderr)
+    return 1 if report.troubles else 0

@@ -1,0 +1,83 @@
+"""swim.json and statistics as tables for the report."""
+
+import json
+
+from caudal_plots import MissingData
+
+from . import page
+
+# Of the quantities of swim.json, in this order.
+TILES = ("speed", "speed in lengths", "period", "amplitude", "Strouhal number", "Reynolds number",
+         "power", "cost of transport")
+BEAT_COLUMNS = ("start", "period", "frequency", "amplitude", "speed", "speed in lengths",
+                "Strouhal number", "power", "peak power", "cost of transport", "thrust", "drag",
+                "change", "steady")
+LEDGER = ("muscle work", "kinetic energy", "elastic energy", "dissipation", "feedback", "residual",
+          "numerical dissipation")
+
+
+def read_swim(folder):
+    """The swim reports of all bodies, from swim.json or swim_<body>.json."""
+    reports = []
+    for path in sorted(folder.glob("swim*.json")):
+        try:
+            reports.append(json.loads(path.read_text(encoding="utf-8")))
+        except ValueError as error:
+            raise MissingData(f"{path} is no valid JSON. Was it cut off?") from error
+    return reports
+
+
+def get_unit(report, name):
+    return report["quantities"][name]["unit"]
+
+
+def make_heading(report, name):
+    quantity = report["quantities"][name]
+    unit = f" <small>[{page.escape(quantity['unit'])}]</small>" if quantity["unit"] else ""
+    return f"{page.escape(quantity['symbol'])}{unit}"
+
+
+def make_swim_tiles(report):
+    """The key figures: of the steady beats or, without any, of the last one."""
+    beat = report["mean of steady beats"] or report["beats"][-1]
+    return page.make_tiles([(name, page.format_number(beat[name]), get_unit(report, name))
+                            for name in TILES])
+
+
+def make_swim_table(report):
+    """All quantities with their definitions: the mean of the steady beats, if any, and the last one."""
+    steady, last = report["mean of steady beats"], report["beats"][-1]
+    rows = []
+    for name, quantity in report["quantities"].items():
+        if name in ("start", "steady"):
+            continue
+        means = [page.format_number(steady[name])] if steady else []
+        rows.append([page.escape(name), page.escape(quantity["symbol"]), *means,
+                     page.format_number(last[name]),
+                     page.escape(quantity["unit"]).replace(" ", "&nbsp;"),
+                     f"<small>{page.escape(quantity['definition'])}</small>"])
+    means = [f"mean of the last {report['steady beats']} beats"] if steady else []
+    header = ["quantity", "symbol", *means, "last beat", "unit", "definition"]
+    return page.make_table(header, rows, left=(0, 1, len(header) - 2, len(header) - 1))
+
+
+def make_beat_table(report):
+    rows = [[str(number)] + ["yes" if beat[name] is True else "no" if beat[name] is False
+                             else page.format_number(beat[name]) for name in BEAT_COLUMNS]
+            for number, beat in enumerate(report["beats"], 1)]
+    return page.make_table(["beat"] + [make_heading(report, name) for name in BEAT_COLUMNS], rows)
+
+
+def make_beat_ledger(report):
+    """The ledger of each beat; the residual also relative to the muscle's work."""
+    rows = []
+    for number, beat in enumerate(report["beats"], 1):
+        work = beat["muscle work"]
+        share = 100 * beat["residual"] / work if work else None
+        rows.append([str(number)] + [page.format_number(beat[name]) for name in LEDGER]
+                    + [page.format_number(share, 2)])
+    return page.make_table(["beat"] + [make_heading(report, name) for name in LEDGER]
+                           + ["residual <small>[% of muscle work]</small>"], rows,
+                           "muscle work = ΔE<sub>kin</sub> + ΔE<sub>el</sub> + dissipation + "
+                           "feedback + residual, in each tail beat; numerical: the part of the "
+                           "dissipation by the stabilisations")

@@ -1,0 +1,77 @@
+# The residual of the energy ledger falls with the step at the order of the schemes,
+# two: an eel with muscle, springs and dampers that starts from rest in a closed box.
+set -e
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
+cat >eel.prm <<'END'
+set Bodies = eel
+subsection Time
+  set End time = 0.2
+end
+subsection Domain
+  set Cells  = 4, 4
+  set Levels = 2
+end
+subsection Fluid
+  set Density             = 1
+  set Kinematic viscosity = 0.02
+end
+subsection Body eel
+  subsection Shape
+    set Type     = eel
+    set Length   = 0.5
+    set Elements = 12, 4
+    set Position = 0.25, 0.5
+  end
+  subsection Region body
+    set Young's modulus    = 30
+    set Feedback stiffness = 100
+    set Feedback damping   = 10
+  end
+  subsection Muscle
+    set Type          = travelling wave
+    set Start-up ramp = 0.1
+    subsection Travelling wave
+      set Maximum active stress = 60
+      set Frequency             = 3
+    end
+  end
+end
+subsection Coupling
+  set Kernel = dirac
+end
+subsection Refinement
+  set Level expression = 1
+end
+subsection Output
+  set Folder             = results
+  set Interval of fields = 1e6
+end
+END
+
+# converge SCHEME STEP: the observed order of the largest residual of the run, rounded.
+converge() {
+  rm -f residuals
+  for factor in 1 0.5; do
+    caudal eel.prm -D "Time/Scheme=$1" -D "Time/Step=$(awk "BEGIN { print $factor * $2 }")"
+    column "energy residual" results/statistics.txt |
+      awk '{ r = $1 < 0 ? -$1 : $1; if (r > largest) largest = r } END { print largest }' >>residuals
+  done
+  awk -v scheme="$1" '{ r[NR] = $1 }
+    END { printf "%s: order %.0f\n", scheme, log(r[1] / r[2]) / log(2) }' residuals
+}
+converge semi-implicit 0.0025
+converge explicit 0.002
+
+# Every part of the ledger takes part in it.
+work=$(last "eel: muscle work" results/statistics.txt)
+share() {
+  check "$1: more than 1 % of the muscle's work" \
+    "($(last "$1" results/statistics.txt))^2 > (0.01 * $work)^2"
+}
+share "kinetic energy"
+share "eel: elastic energy"
+share "dissipation"
+share "numerical dissipation"
+share "eel: feedback work"
+check "residual: less than 0.1 %" "$(tail -n 1 residuals) < 0.001 * $work"
