@@ -11,7 +11,7 @@ from .chart import DASHED, make_chart, make_curve, make_curves
 
 SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
 RESIDUAL = ("The residual holds what the other parts do not: flow of energy through the sides, changes "
-            "of the grid, and the time scheme's own damping, which falls with the square of the step.")
+            "of the grid, and the time scheme's own damping, which falls with the time step.")
 GREY = "#8a949b"
 TIME = "time [s]"
 AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
