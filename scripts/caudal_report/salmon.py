@@ -221,9 +221,9 @@ def describe(folder, n_frames, with_pictures):
         report.add("Pictures", common.draw_picture(
             report, lambda: draw_swimming(folder, frequencies), "One stroke, and the way of the whole run"))
     report.add("Warnings", common.make_warnings(log))
-    report.add("Time spent", page.make_note("; ".join(
-        line for line in log.lines if line.startswith(("Table of phases", "CPU of rank 0")))
-        or "The log tells no costs."))
+    costs = [line for line in log.lines if line.startswith(("Table of phases", "CPU of rank 0"))]
+    report.add("Time spent", "".join(page.make_note(page.escape(line)) for line in costs)
+               or page.make_note("The log tells no costs."))
     report.add("Program, grid and body", common.make_program(log))
     report.add("Parameters", common.make_parameters(entries, folder))
     return report

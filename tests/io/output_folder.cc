@@ -72,8 +72,9 @@ int main(int argc, char **argv)
   on_root([]() {
     fs::create_directories("results/fish/fields");
     fs::create_directories("results/fish/restart");
-    for (const auto &name : {"log.txt", "notes.txt", "solution.pvd", "fields/fluid-00000.vtu",
-                             "fields/mine.txt", "restart/state"})
+    for (const auto &name :
+         {"log.txt", "notes.txt", "swimmers.txt", "swim.json", "swim_left.txt", "report.html",
+          "view.py", "solution.pvd", "fields/fluid-00000.vtu", "fields/mine.txt", "restart/state"})
       std::ofstream("results/fish/" + std::string(name)) << "old\n";
   });
   title("Resumed: everything stays");
