@@ -4,8 +4,9 @@
 #include <caudal/potential/cell_integrals.h>
 #include <caudal/potential/laplace_kernel.h>
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__)
-#define CAUDAL_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=haswell")))
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && defined(__x86_64__) &&           \
+    defined(__linux__)
+#define CAUDAL_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define CAUDAL_FOR_EACH_PROCESSOR
 #endif
@@ -14,37 +15,53 @@ namespace caudal::potential
 {
   namespace
   {
-    constexpr unsigned int stride = ReferenceRule::stride;
+    constexpr unsigned int stride  = ReferenceRule::stride;
+    constexpr unsigned int n_nodes = Surface::n_nodes_per_cell;
 
     /** The largest number of points in a rule. */
     constexpr unsigned int n_most = CellRule::n_most_points;
+
+    /** The field with these values at the nodes, or a derivative of it, at the points. */
+    inline DEAL_II_ALWAYS_INLINE void interpolate(const ReferenceRule &rule,
+                                                  const unsigned int   which,
+                                                  const double *const nodal, double *const result)
+    {
+      const std::size_t   n         = rule.n_points;
+      const double *const functions = rule.by_function[which].data();
+#pragma GCC ivdep
+      for (std::size_t q = 0; q < n; ++q)
+      {
+        double sum = 0.;
+        for (std::size_t k = 0; k < n_nodes; ++k)
+          sum += nodal[k] * functions[k * n + q];
+        result[q] = sum;
+      }
+    }
   } // namespace
 
   CAUDAL_FOR_EACH_PROCESSOR
   void CellRule::place(const ReferenceRule &rule, const std::vector<Point<3>> &positions)
   {
     reference            = &rule;
-    const unsigned int n = positions.size(), n_points = rule.n_points;
-    data.resize(6 * n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
+    const unsigned int n = rule.n_points;
+    alignas(64) double X_x[3][n_most], X_y[3][n_most];
+    data.resize(6 * n);
+    for (unsigned int d = 0; d < 3; ++d)
     {
-      double                     X[3] = {0., 0., 0.}, X_x[3] = {0., 0., 0.}, X_y[3] = {0., 0., 0.};
-      const double *const        values = &rule.values[q * stride],
-                          *const by_x   = &rule.x_derivatives[q * stride],
-                          *const by_y   = &rule.y_derivatives[q * stride];
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          X[d] += values[k] * positions[k][d];
-          X_x[d] += by_x[k] * positions[k][d];
-          X_y[d] += by_y[k] * positions[k][d];
-        }
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
-        data[d * n_points + q]       = X[d];
-        data[(3 + d) * n_points + q] = rule.weights[q] * (X_x[e] * X_y[f] - X_x[f] * X_y[e]);
-      }
+      double X[n_nodes];
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        X[k] = positions[k][d];
+      interpolate(rule, 0, X, data.data() + d * n);
+      interpolate(rule, 1, X, X_x[d]);
+      interpolate(rule, 2, X, X_y[d]);
+    }
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+      double *const      N = data.data() + (3 + d) * n;
+#pragma GCC ivdep
+      for (unsigned int q = 0; q < n; ++q)
+        N[q] = rule.weights[q] * (X_x[e][q] * X_y[f][q] - X_x[f][q] * X_y[e][q]);
     }
   }
 
@@ -113,21 +130,17 @@ namespace caudal::potential
   void PointGradients::begin(const CellRule &rule, const CellFlow &flow)
   {
     const unsigned int n = rule.get_reference().n_points;
+    alignas(64) double u[n_most];
     data.assign(n_fields * n, 0.);
-    const double *values = rule.get_reference().values.data();
-    for (unsigned int q = 0; q < n; ++q, values += stride)
+    interpolate(rule.get_reference(), 0, flow.potential, data.data());
+    double *const w = data.data() + n;
+    for (unsigned int d = 0; d < 3; ++d)
     {
-      double phi = 0., u[3] = {0., 0., 0.};
-      for (unsigned int k = 0; k < stride; ++k)
-      {
-        phi += values[k] * flow.potential[k];
-        u[0] += values[k] * flow.velocity[0][k];
-        u[1] += values[k] * flow.velocity[1][k];
-        u[2] += values[k] * flow.velocity[2][k];
-      }
-      data[q] = phi;
-      data[n + q] =
-          u[0] * rule.get_areas(0)[q] + u[1] * rule.get_areas(1)[q] + u[2] * rule.get_areas(2)[q];
+      interpolate(rule.get_reference(), 0, flow.velocity[d], u);
+      const double *const N = rule.get_areas(d);
+#pragma GCC ivdep
+      for (unsigned int q = 0; q < n; ++q)
+        w[q] += u[q] * N[q];
     }
   }
 
@@ -146,6 +159,7 @@ namespace caudal::potential
     double *const by_N0 = phi + 5 * n, *const by_N1 = phi + 6 * n, *const by_N2 = phi + 7 * n;
     double *const by_w = phi + 8 * n;
     double        sum0 = 0., sum1 = 0., sum2 = 0.;
+#pragma GCC ivdep // all these arrays are apart
     for (unsigned int q = 0; q < n; ++q)
     {
       const double        r0 = y0[q] - x0, r1 = y1[q] - x1, r2 = y2[q] - x2;
@@ -182,45 +196,48 @@ namespace caudal::potential
   void PointGradients::end(const CellRule &rule, const std::vector<Point<3>> &positions,
                            const CellFlow &flow, CellGradient &gradient)
   {
-    const ReferenceRule &reference    = rule.get_reference();
-    const unsigned int   n            = reference.n_points;
-    alignas(64) double   X[3][stride] = {};
-    for (unsigned int k = 0; k < positions.size(); ++k)
-      for (unsigned int d = 0; d < 3; ++d)
-        X[d][k] = positions[k][d];
-    CellGradient sums = gradient;
-    for (unsigned int q = 0; q < n; ++q)
+    const ReferenceRule &reference = rule.get_reference();
+    const unsigned int   n         = reference.n_points;
+    alignas(64) double   X_x[3][n_most], X_y[3][n_most], by_N[3][n_most];
+    const double *const  by_w = data.data() + 8 * n;
+    for (unsigned int d = 0; d < 3; ++d)
     {
-      const double *const        values = &reference.values[q * stride],
-                          *const by_x   = &reference.x_derivatives[q * stride],
-                          *const by_y   = &reference.y_derivatives[q * stride];
-      double                     X_x[3] = {0., 0., 0.}, X_y[3] = {0., 0., 0.}, u[3] = {0., 0., 0.};
-      for (unsigned int d = 0; d < 3; ++d)
-        for (unsigned int k = 0; k < stride; ++k)
-        {
-          X_x[d] += by_x[k] * X[d][k];
-          X_y[d] += by_y[k] * X[d][k];
-          u[d] += values[k] * flow.velocity[d][k];
-        }
+      alignas(64) double X[n_nodes], u[n_most];
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        X[k] = positions[k][d];
+      interpolate(reference, 1, X, X_x[d]);
+      interpolate(reference, 2, X, X_y[d]);
+      interpolate(reference, 0, flow.velocity[d], u);
       // N = weight X_x x X_y, and w = u.N
-      const double weight = reference.weights[q], by_w = data[8 * n + q];
-      double       by_N[3];
-      for (unsigned int d = 0; d < 3; ++d)
-        by_N[d] = weight * (data[(5 + d) * n + q] + by_w * u[d]);
-      for (unsigned int d = 0; d < 3; ++d)
+      const double *const by_d = data.data() + (5 + d) * n;
+      for (unsigned int q = 0; q < n; ++q)
+        by_N[d][q] = reference.weights[q] * (by_d[q] + by_w[q] * u[q]);
+    }
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const unsigned int  e = (d + 1) % 3, f = (d + 2) % 3;
+      const double *const by_X = data.data() + (2 + d) * n, *const N = rule.get_areas(d);
+      alignas(64) double place[stride] = {}, velocity[stride] = {};
+      for (unsigned int q = 0; q < n; ++q)
       {
-        const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
-        const double       by_X_x = X_y[e] * by_N[f] - X_y[f] * by_N[e];
-        const double       by_X_y = by_N[e] * X_x[f] - by_N[f] * X_x[e];
-        const double       by_X = data[(2 + d) * n + q], by_u = by_w * rule.get_areas(d)[q];
+        const double               by_X_x  = X_y[e][q] * by_N[f][q] - X_y[f][q] * by_N[e][q];
+        const double               by_X_y  = by_N[e][q] * X_x[f][q] - by_N[f][q] * X_x[e][q];
+        const double               by_u    = by_w[q] * N[q];
+        const double *const        values  = &reference.values[q * stride],
+                            *const along_x = &reference.x_derivatives[q * stride],
+                            *const along_y = &reference.y_derivatives[q * stride];
         for (unsigned int k = 0; k < stride; ++k)
         {
-          sums.place[d][k] += values[k] * by_X + by_x[k] * by_X_x + by_y[k] * by_X_y;
-          sums.velocity[d][k] += values[k] * by_u;
+          place[k] += values[k] * by_X[q] + along_x[k] * by_X_x + along_y[k] * by_X_y;
+          velocity[k] += values[k] * by_u;
         }
       }
+      for (unsigned int k = 0; k < stride; ++k)
+      {
+        gradient.place[d][k] += place[k];
+        gradient.velocity[d][k] += velocity[k];
+      }
     }
-    gradient = sums;
     data.clear();
   }
 } // namespace caudal::potential

@@ -8,7 +8,7 @@ namespace caudal::potential
 
     // Each Gauss rule serves points that are farther from the centre of the part than this, in
     // its radii. With m points in each direction the error falls as (d + sqrt(d^2 - 1))^(-2m).
-    const double nearest[ReferenceRules::n_gauss_rules] = {3., 2.2, 1.5};
+    const double nearest[ReferenceRules::n_gauss_rules] = {2.5, 1.85, 1.5, 1.35};
 
     // What was far away at rest counts as near if it comes nearer than this.
     const double too_near = 2.;
