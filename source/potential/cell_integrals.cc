@@ -238,6 +238,6 @@ namespace caudal::potential
         gradient.velocity[d][k] += velocity[k];
       }
     }
-    data.clear();
+    std::vector<double>().swap(data);
   }
 } // namespace caudal::potential

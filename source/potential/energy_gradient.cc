@@ -120,29 +120,36 @@ namespace caudal::potential
       }
   }
 
-  void ExteriorFlow::add_equation_gradient(const unsigned int node, const double lambda,
-                                           const NodalFlow &flow, NodalGradient &gradient)
+  /** All that the equations integrate over one cell; its rules fit into the cache. */
+  void ExteriorFlow::add_cell(const Equations &equations, const unsigned int cell,
+                              const NodalFlow &flow, const Vector<double> &adjoint,
+                              NodalGradient &gradient)
   {
-    const Point<3> &x     = motion.positions[node];
-    const double    phi_x = flow.potential[node];
-    CellGradient    cell_gradient;
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+    const auto        &nodes     = surface.get_nodes(cell);
+    const CellFlow     cell_flow = extract_cell(flow, cell);
+    const unsigned int rank      = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks   = Utilities::MPI::n_mpi_processes(communicator);
+    CellGradient       sums;
+    std::memset(&sums, 0, sizeof sums);
+    const auto end = [&](PlacedRule &at) {
+      if (!at.gradients.is_empty())
+        at.gradients.end(at.rule, placed.get_positions(cell), cell_flow, sums);
+    };
+    for (unsigned int k = rank; k < equations.nodes.size(); k += n_ranks)
     {
-      const auto &nodes = surface.get_nodes(cell);
-      const auto  own   = std::find(nodes.begin(), nodes.end(), node);
-      const auto  add   = [&](PlacedRule &at) {
+      const auto node = equations.nodes[k];
+      const auto add  = [&](PlacedRule &at) {
         if (at.gradients.is_empty())
-          at.gradients.begin(at.rule, extract_cell(flow, cell));
-        at.gradients.add(at.rule, x, lambda, phi_x, gradient.place[node]);
+          at.gradients.begin(at.rule, cell_flow);
+        at.gradients.add(at.rule, motion.positions[node], adjoint(k), flow.potential[node],
+                          gradient.place[node]);
       };
+      const auto own = std::find(nodes.begin(), nodes.end(), node);
       if (own != nodes.end())
       {
         PlacedRule &singular = placed.get_singular(cell, own - nodes.begin());
         add(singular);
-        std::memset(&cell_gradient, 0, sizeof cell_gradient);
-        singular.gradients.end(singular.rule, placed.get_positions(cell), extract_cell(flow, cell),
-                               cell_gradient);
-        add_to_nodes(cell, cell_gradient, gradient);
+        end(singular);
       }
       else if (placed.is_far(cell, node))
         add(placed.get_regular(cell));
@@ -150,6 +157,16 @@ namespace caudal::potential
         for (PlacedRule *const near : placed.find_near(cell, node))
           add(*near);
     }
+    if (rank == 0)
+    {
+      // The explicit part, -df.phi
+      PlacedRule &regular = placed.get_regular(cell);
+      if (regular.gradients.is_empty())
+        regular.gradients.begin(regular.rule, cell_flow);
+      regular.gradients.add_energy(regular.rule, -1.);
+    }
+    placed.visit_rules(cell, end);
+    add_to_nodes(cell, sums, gradient);
   }
 
   ExteriorFlow::NodalGradient ExteriorFlow::differentiate(const Equations      &equations,
@@ -159,29 +176,8 @@ namespace caudal::potential
     NodalGradient gradient;
     gradient.place.resize(surface.n_nodes());
     gradient.velocity.resize(surface.n_nodes());
-
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (unsigned int k = rank; k < equations.nodes.size(); k += n_ranks)
-      add_equation_gradient(equations.nodes[k], adjoint(k), flow, gradient);
-
-    // The explicit part, -df.phi
-    for (unsigned int cell = 0; cell < surface.n_cells() && rank == 0; ++cell)
-    {
-      PlacedRule &regular = placed.get_regular(cell);
-      if (regular.gradients.is_empty())
-        regular.gradients.begin(regular.rule, extract_cell(flow, cell));
-      regular.gradients.add_energy(regular.rule, -1.);
-    }
-    placed.visit_rules([&](const unsigned int cell, PlacedRule &at) {
-      if (at.gradients.is_empty())
-        return;
-      CellGradient cell_gradient;
-      std::memset(&cell_gradient, 0, sizeof cell_gradient);
-      at.gradients.end(at.rule, placed.get_positions(cell), extract_cell(flow, cell),
-                       cell_gradient);
-      add_to_nodes(cell, cell_gradient, gradient);
-    });
+    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+      add_cell(equations, cell, flow, adjoint, gradient);
     return gradient;
   }
 } // namespace caudal::potential

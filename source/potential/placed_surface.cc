@@ -144,24 +144,21 @@ namespace caudal::potential
     return singular;
   }
 
-  void PlacedSurface::visit_rules(const std::function<void(unsigned int, PlacedRule &)> &visit)
+  void PlacedSurface::visit_rules(const unsigned int                       cell,
+                                  const std::function<void(PlacedRule &)> &visit)
   {
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-    {
-      visit(cell, regular[cell]);
-      visit_part(cell, *cells[cell], visit);
-      visit_part(cell, *now[cell], visit);
-    }
+    visit(regular[cell]);
+    visit_part(*cells[cell], visit);
+    visit_part(*now[cell], visit);
   }
 
-  void PlacedSurface::visit_part(const unsigned int cell, Part &part,
-                                 const std::function<void(unsigned int, PlacedRule &)> &visit)
+  void PlacedSurface::visit_part(Part &part, const std::function<void(PlacedRule &)> &visit)
   {
     for (const auto &rule : part.rules)
       if (rule)
-        visit(cell, *rule);
+        visit(*rule);
     for (const auto &half : part.halves)
       if (half)
-        visit_part(cell, *half, visit);
+        visit_part(*half, visit);
   }
 } // namespace caudal::potential

@@ -108,8 +108,8 @@ namespace caudal::potential
     Vector<double> compute_adjoint(const Equations &equations, const NodalFlow &flow) const;
     NodalGradient  differentiate(const Equations &equations, const NodalFlow &flow,
                                  const Vector<double> &adjoint);
-    void           add_equation_gradient(unsigned int node, double lambda, const NodalFlow &flow,
-                                         NodalGradient &gradient);
+    void           add_cell(const Equations &equations, unsigned int cell, const NodalFlow &flow,
+                            const Vector<double> &adjoint, NodalGradient &gradient);
     void           add_to_nodes(unsigned int cell, const CellGradient &cell_gradient,
                                 NodalGradient &gradient) const;
 

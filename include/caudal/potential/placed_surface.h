@@ -68,8 +68,8 @@ namespace caudal::potential
     /** The one for the cell of which the node is the one with this number; until the next call. */
     PlacedRule &get_singular(unsigned int cell, unsigned int node);
 
-    /** Calls @p visit(cell, rule) for all rules that were in use, but the singular ones. */
-    void visit_rules(const std::function<void(unsigned int, PlacedRule &)> &visit);
+    /** Calls @p visit for all rules on a cell that were in use, but the singular ones. */
+    void visit_rules(unsigned int cell, const std::function<void(PlacedRule &)> &visit);
 
     const Surface       &surface;
     const SurfaceMotion &motion;
@@ -93,11 +93,10 @@ namespace caudal::potential
     std::unique_ptr<Part> make_part(const std::vector<Point<3>> &nodes, const CellPart &place);
 
     /** @p decisive are the nodes and the place of x by which the rules are chosen. */
-    void find_rules(unsigned int cell, Part &part, const std::vector<Point<3>> &decisive,
-                    const Point<3> &x);
-    void visit_part(unsigned int cell, Part &part,
-                    const std::function<void(unsigned int, PlacedRule &)> &visit);
-    void compute_fluxes();
+    void        find_rules(unsigned int cell, Part &part, const std::vector<Point<3>> &decisive,
+                           const Point<3> &x);
+    static void visit_part(Part &part, const std::function<void(PlacedRule &)> &visit);
+    void        compute_fluxes();
 
     ReferenceRules                    &rules;
     const std::vector<Point<3>>       &rest; // by node
