@@ -6,9 +6,10 @@ from caudal_plots import style
 
 from . import runs
 
-# Cells along and across, 130 to 6,050 panels; every second one has half the spacing.
-MESHES = ((3, 2), (4, 3), (6, 4), (8, 6), (12, 8), (16, 12))
-FINEST = (20, 14)
+# Cells along and across in the same proportion, so that the grids differ in their spacing only;
+# 130 to 4,610 panels. The second has half the spacing of the first, and so on: nested.
+UNITS = (1, 2, 3, 4, 5, 6)
+FINEST = 7  # 6,274 panels
 QUANTITIES = ("displacement a stroke", "mean kinetic energy")
 
 
@@ -16,19 +17,47 @@ def count_panels(along, across):
     return 16 * along * across + 8 * across**2 + 2
 
 
-def extrapolate(values):
-    """Observed order and Richardson's value of three grids, each with half the spacing."""
+def extrapolate(units, values):
+    """Observed order p and limit of f(h) = limit + C h^p through three grids of spacing 1/unit.
+
+    For any ratios of the spacings, e.g. I. B. Celik et al., J. Fluids Eng. 130, 2008,
+    doi:10.1115/1.2960953.
+    """
+    h = 1 / np.asarray(units, dtype=float)
     coarse, middle, fine = values
-    ratio = (middle - coarse) / (fine - middle) if fine != middle else 0
-    if ratio <= 1:
+    if middle == fine or (coarse - middle) / (middle - fine) <= 0:
         return None, None
-    return np.log2(ratio), fine + (fine - middle) / (ratio - 1)
+    ratio = (coarse - middle) / (middle - fine)
+    orders = np.linspace(0.2, 8, 7801)
+    misfit = (h[0]**orders - h[1]**orders) / (h[1]**orders - h[2]**orders) - ratio
+    crossing = np.flatnonzero(misfit[1:] * misfit[:-1] <= 0)
+    if len(crossing) == 0:
+        return None, None
+    p = orders[crossing[0]]
+    return p, fine - (middle - fine) * h[2]**p / (h[1]**p - h[2]**p)
+
+
+def describe(name, units, values):
+    """A sentence for each set of three grids, and the last limit."""
+    lines, limit = [], values[-1]
+    for chosen in ((1, 2, 4), tuple(units[-1 - k] for k in (4, 2, 0))):
+        picked = [values[units.index(unit)] for unit in chosen]
+        order, value = extrapolate(chosen, picked)
+        grids = ", ".join(str(count_panels(3 * unit, 2 * unit)) for unit in chosen)
+        if order is None:
+            lines.append(f"{name}, {grids} panels: the differences do not decrease; no order")
+        else:
+            lines.append(f"{name}, {grids} panels: observed order {order:.2f}, "
+                         f"Richardson's value {value:.8g}")
+            limit = value
+    return lines, limit
 
 
 def main(case, folder, overrides, with_finest):
-    meshes = MESHES + ((FINEST,) if with_finest else ())
+    units = UNITS + ((FINEST,) if with_finest else ())
     rows, text = [], []
-    for along, across in meshes:
+    for unit in units:
+        along, across = 3 * unit, 2 * unit
         n = count_panels(along, across)
         place = folder / f"{n}"
         runs.run(case, place, [*overrides, f"Surface/Cells along={along}",
@@ -40,25 +69,21 @@ def main(case, folder, overrides, with_finest):
         text.append(f"{n:8d}{rows[-1][1]:20.8g}{rows[-1][2]:20.8g}{cpu:12.2f}")
         print(text[-1], flush=True)
     n, *values, _ = np.array(rows).T
-    similar = slice(len(MESHES) - 5, len(MESHES), 2)
     header = f"{'panels':>8}{'a stroke [cm]':>20}{'<T> [J]':>20}{'CPU [s]':>12}"
     text.insert(0, header)
     limits = []
     for name, value in zip(QUANTITIES, values):
-        order, limit = extrapolate(value[similar])
-        limits.append(value[-1] if limit is None else limit)
-        text.append(f"{name}: " + ("the differences do not decrease; no order"
-                                   if order is None else
-                                   f"observed order {order:.2f}, Richardson's value {limit:.8g} "
-                                   f"({n[similar].astype(int)} panels)"))
+        lines, limit = describe(name, units, value)
+        text += lines
+        limits.append(limit)
     (folder / "mesh.txt").write_text("\n".join(text) + "\n")
-    print("\n".join(text[len(meshes) + 1:]))
+    print("\n".join(text[len(units) + 1:]))
     style.apply()
     figure, axes = style.make_figure(1, 1, 3.6)
     for name, value, limit in zip(QUANTITIES, values, limits):
         axes[0, 0].loglog(n, np.maximum(abs(value / limit - 1), 1e-8), "o-", markersize=3, label=name)
     axes[0, 0].set_xlabel("panels")
-    axes[0, 0].set_ylabel("relative difference from Richardson's value")
+    axes[0, 0].set_ylabel("relative difference from\nRichardson's value [1]")
     axes[0, 0].legend()
     figure.savefig(folder / "mesh.png")
     style.close(figure)

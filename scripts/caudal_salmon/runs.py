@@ -41,6 +41,11 @@ def run(case, folder, overrides=(), is_done=None):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
+def get_peak_memory():
+    """Of the largest run until now [MiB]."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+
+
 def read_summary(folder):
     """A dictionary for each frequency, by the names of the columns without their units."""
     with open(pathlib.Path(folder) / "summary.csv", encoding="utf-8") as file:

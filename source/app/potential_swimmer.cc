@@ -173,7 +173,8 @@ namespace caudal
     timer.stop();
     log << "Table of phases: " << table->get_n_computed() << " shapes, " << timer.cpu_time()
         << " s of CPU, " << timer.wall_time() << " s; on rank 0 assembly " << cost.assembly
-        << " s, solution " << cost.solution << " s of CPU." << std::endl;
+        << " s, solution " << cost.solution << " s, gradient of the energy " << cost.gradient
+        << " s of CPU." << std::endl;
     return table;
   }
 

@@ -10,6 +10,15 @@ namespace caudal::potential
     const unsigned int n_intervals = 112;
     const unsigned int n_points    = 4;
 
+    /** sum_i factors_i H_i */
+    double combine(const double *const H, const std::vector<double> &factors)
+    {
+      double sum = 0.;
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        sum += factors[i] * H[i];
+      return sum;
+    }
+
     class Joints : public SpineModes
     {
     public:
@@ -170,17 +179,13 @@ namespace caudal::potential
   }
 
   std::vector<BendingBody::BentSpine> BendingBody::bend(const std::vector<Station> &stations,
-                                                        const std::vector<double>  &c) const
+                                                        const std::vector<double>  &c,
+                                                        const std::vector<double>  &rates) const
   {
-    const unsigned int n = n_modes();
+    const unsigned int n = n_modes(), n_rates = rates.size();
 
-    const auto get_angle = [&](const double *const H) {
-      double theta = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        theta += c[i] * H[i];
-      return theta;
-    };
-    // Adds the integrals of t and H_i n over the piece of the station's interval.
+    const auto get_angle = [&](const double *const H) { return combine(H, c); };
+    // Adds the integrals of t, H_i n and -H_i theta' t over the piece of the station's interval.
     const auto advance = [&](const Station &station, BentSpine spine) {
       for (unsigned int q = 0; q < n_points; ++q)
       {
@@ -190,6 +195,9 @@ namespace caudal::potential
         spine.place += ds * t;
         for (unsigned int i = 0; i < n; ++i)
           spine.place_by_mode[i] += ds * H[i] * Point<3>(-t[1], t[0], 0.);
+        const double turn = combine(H, rates);
+        for (unsigned int i = 0; i < n_rates; ++i)
+          spine.rate_by_mode[i] -= ds * H[i] * turn * t;
       }
       const double theta = get_angle(station.angle.data());
       spine.tangent      = Point<3>(std::cos(theta), std::sin(theta), 0.);
@@ -199,6 +207,7 @@ namespace caudal::potential
 
     std::vector<BentSpine> left_ends(1), result;
     left_ends[0].place_by_mode.resize(n);
+    left_ends[0].rate_by_mode.resize(n_rates);
     for (unsigned int k = 1; k < n_intervals; ++k)
       left_ends.push_back(advance(grid[k], left_ends[k - 1]));
     for (const Station &station : stations)
@@ -260,6 +269,54 @@ namespace caudal::potential
                 mass(i, j) += moment * (velocity[a][i] * velocity[b][j]);
     }
     return mass;
+  }
+
+  std::vector<std::vector<Tensor<1, 3>>>
+  BendingBody::compute_mode_rates(const std::vector<double> &c,
+                                  const std::vector<double> &rates) const
+  {
+    const std::vector<BentSpine>           spine = bend(node_stations, c, rates);
+    std::vector<std::vector<Tensor<1, 3>>> result(n_modes(),
+                                                  std::vector<Tensor<1, 3>>(spine.size()));
+    for (unsigned int node = 0; node < spine.size(); ++node)
+    {
+      const std::vector<double> &H    = node_stations[node].angle;
+      const double               turn = combine(H.data(), rates), y = node_places[node][1];
+      for (unsigned int i = 0; i < n_modes(); ++i)
+        result[i][node] = spine[node].rate_by_mode[i] - y * H[i] * turn * spine[node].normal;
+    }
+    return result;
+  }
+
+  std::vector<double> BendingBody::compute_body_energy_gradient(const std::vector<double> &c,
+                                                                const std::vector<double> &u) const
+  {
+    const std::vector<double>    rates(u.begin() + 6, u.end());
+    const std::vector<BentSpine> spine = bend(section_stations, c, rates);
+    const Tensor<1, 3>           omega = Point<3>(u[0], u[1], u[2]), v = Point<3>(u[3], u[4], u[5]);
+    std::vector<double>          gradient(n_modes(), 0.);
+    for (unsigned int k = 0; k < spine.size(); ++k)
+    {
+      const std::vector<double> &H    = section_stations[k].angle;
+      const double               turn = combine(H.data(), rates);
+      // Velocities as in compute_body_mass(); the third one does not depend on the bend.
+      Tensor<1, 3> velocity[3] = {v + cross_product_3d(omega, spine[k].place),
+                                  cross_product_3d(omega, spine[k].normal) -
+                                      turn * spine[k].tangent,
+                                  cross_product_3d(omega, Tensor<1, 3>(Point<3>(0., 0., 1.)))};
+      for (unsigned int i = 0; i < n_modes(); ++i)
+        velocity[0] += rates[i] * spine[k].place_by_mode[i];
+      for (unsigned int i = 0; i < n_modes(); ++i)
+      {
+        const Tensor<1, 3> by_mode[2] = {
+            cross_product_3d(omega, spine[k].place_by_mode[i]) + spine[k].rate_by_mode[i],
+            -H[i] * (cross_product_3d(omega, spine[k].tangent) + turn * spine[k].normal)};
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 2; ++b)
+            gradient[i] += sections[k].moments[a][b] * (velocity[a] * by_mode[b]);
+      }
+    }
+    return gradient;
   }
 
   double BendingBody::compute_bend(const std::vector<double> &c) const

@@ -8,7 +8,7 @@ namespace caudal::potential
 
     // Each Gauss rule serves points that are farther from the centre of the part than this, in
     // its radii. With m points in each direction the error falls as (d + sqrt(d^2 - 1))^(-2m).
-    const double nearest[ReferenceRules::n_gauss_rules] = {3., 2.2, 1.5};
+    const double nearest[ReferenceRules::n_gauss_rules] = {2.5, 1.85, 1.5, 1.35};
 
     // What was far away at rest counts as near if it comes nearer than this.
     const double too_near = 2.;
@@ -43,7 +43,7 @@ namespace caudal::potential
   {
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      regular.emplace_back(rules.get_gauss(0, CellPart()), positions[cell]);
+      regular.push_back({CellRule(rules.get_gauss(0, CellPart()), positions[cell]), {}});
       cells.push_back(make_part(rest_positions[cell], CellPart()));
       now.push_back(make_part(positions[cell], CellPart()));
     }
@@ -62,15 +62,15 @@ namespace caudal::potential
 
   void PlacedSurface::compute_fluxes()
   {
-    const ReferenceRule &rule     = regular[0].get_reference();
+    const ReferenceRule &rule     = regular[0].rule.get_reference();
     const unsigned int   n_points = rule.n_points;
     fluxes.reinit(surface.n_cells() * n_points, n_motions());
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
       for (unsigned int q = 0; q < n_points; ++q)
       {
         double *const      row    = &fluxes(cell * n_points + q, 0);
-        const Tensor<1, 3> N      = regular[cell].get_area(q);
-        const Tensor<1, 3> moment = cross_product_3d(regular[cell].get_point(q), N);
+        const Tensor<1, 3> N      = regular[cell].rule.get_area(q);
+        const Tensor<1, 3> moment = cross_product_3d(regular[cell].rule.get_point(q), N);
         const auto        &nodes  = surface.get_nodes(cell);
         for (unsigned int d = 0; d < 3; ++d)
         {
@@ -106,42 +106,59 @@ namespace caudal::potential
                square(too_near * at_present.radius);
   }
 
-  void PlacedSurface::add_near(const unsigned int cell, const unsigned int node,
-                               CellMoments &moments)
+  const std::vector<PlacedRule *> &PlacedSurface::find_near(const unsigned int cell,
+                                                            const unsigned int node)
   {
-    const Point<3> &x = motion.positions[node];
+    found.clear();
     if (rest[node].distance_square(cells[cell]->centre) < square(nearest[0] * cells[cell]->radius))
-      add_part(cell, *cells[cell], rest_positions[cell], rest[node], x, moments);
+      find_rules(cell, *cells[cell], rest_positions[cell], rest[node]);
     else
-      add_part(cell, *now[cell], positions[cell], x, x, moments);
+      find_rules(cell, *now[cell], positions[cell], motion.positions[node]);
+    return found;
   }
 
-  void PlacedSurface::add_part(const unsigned int cell, Part &part,
-                               const std::vector<Point<3>> &decisive, const Point<3> &decisive_x,
-                               const Point<3> &x, CellMoments &moments)
+  void PlacedSurface::find_rules(const unsigned int cell, Part &part,
+                                 const std::vector<Point<3>> &decisive, const Point<3> &x)
   {
-    unsigned int rule = find_rule(decisive_x.distance_square(part.centre), part.radius);
+    unsigned int rule = find_rule(x.distance_square(part.centre), part.radius);
     if (rule == ReferenceRules::n_gauss_rules && part.place.levels[part.longer] < finest_level)
     {
       for (unsigned int half = 0; half < 2; ++half)
       {
         if (!part.halves[half])
           part.halves[half] = make_part(decisive, part.place.get_half(part.longer, half));
-        add_part(cell, *part.halves[half], decisive, decisive_x, x, moments);
+        find_rules(cell, *part.halves[half], decisive, x);
       }
       return;
     }
     rule = std::min(rule, ReferenceRules::n_gauss_rules - 1);
     if (!part.rules[rule])
-      part.rules[rule] =
-          std::make_unique<CellRule>(rules.get_gauss(rule, part.place), positions[cell]);
-    add_moments(*part.rules[rule], x, moments);
+      part.rules[rule] = std::make_unique<PlacedRule>(
+          PlacedRule{CellRule(rules.get_gauss(rule, part.place), positions[cell]), {}});
+    found.push_back(part.rules[rule].get());
   }
 
-  void PlacedSurface::add_singular(const unsigned int cell, const unsigned int node,
-                                   CellMoments &moments)
+  PlacedRule &PlacedSurface::get_singular(const unsigned int cell, const unsigned int node)
   {
-    singular.place(rules.get_singular(node), positions[cell]);
-    add_moments(singular, positions[cell][node], moments);
+    singular.rule.place(rules.get_singular(node), positions[cell]);
+    return singular;
+  }
+
+  void PlacedSurface::visit_rules(const unsigned int                       cell,
+                                  const std::function<void(PlacedRule &)> &visit)
+  {
+    visit(regular[cell]);
+    visit_part(*cells[cell], visit);
+    visit_part(*now[cell], visit);
+  }
+
+  void PlacedSurface::visit_part(Part &part, const std::function<void(PlacedRule &)> &visit)
+  {
+    for (const auto &rule : part.rules)
+      if (rule)
+        visit(*rule);
+    for (const auto &half : part.halves)
+      if (half)
+        visit_part(*half, visit);
   }
 } // namespace caudal::potential

@@ -55,7 +55,7 @@ namespace caudal::potential
       }
     };
 
-    Data make_data(const std::vector<double> &x, const std::vector<double> &y)
+    Data make_data(const std::vector<double> &x, const std::vector<double> &y, const bool limited)
     {
       Data              data{x, y, {}, std::vector<double>(x.size(), 0.)};
       const CubicSpline spline(x, y, false);
@@ -71,7 +71,7 @@ namespace caudal::potential
 
       // Limiting a point may spoil the interval beside it, but each is limited only twice.
       std::vector<unsigned int> n_limits(x.size(), 0);
-      for (bool changed = true; changed;)
+      for (bool changed = limited; changed;)
       {
         changed = false;
         for (std::size_t i = 0; i + 1 < x.size(); ++i)
@@ -88,14 +88,13 @@ namespace caudal::potential
     }
   } // namespace
 
-  MonotoneInterpolant::MonotoneInterpolant(const std::vector<double> &x,
-                                           const std::vector<double> &y)
+  Profile::Profile(const std::vector<double> &x, const std::vector<double> &y, const bool limited)
       : first(x.front())
       , last(x.back())
-      , hermite(make_data(x, y).make_hermite())
+      , hermite(make_data(x, y, limited).make_hermite())
   {}
 
-  double MonotoneInterpolant::value(const double x) const
+  double Profile::value(const double x) const
   {
     const double inside = std::clamp(x, first, last);
     return hermite(inside) + hermite.prime(inside) * (x - inside);

@@ -122,8 +122,8 @@ namespace caudal::potential
       StationBody(const ShapeParameters &parameters, const Surface &)
           : EllipticBody(parameters.length)
           , stations(read_stations(parameters))
-          , log_ga(make_profile(&Station::a))
-          , log_gb(make_profile(&Station::b))
+          , log_ga(make_profile(&Station::a, parameters.interpolation == "limited"))
+          , log_gb(make_profile(&Station::b, parameters.interpolation == "limited"))
       {}
 
     protected:
@@ -133,7 +133,7 @@ namespace caudal::potential
       }
 
     private:
-      MonotoneInterpolant make_profile(double Station::*axis) const
+      Profile make_profile(double Station::*axis, const bool limited) const
       {
         std::vector<double> s, values;
         for (const Station &station : stations)
@@ -141,11 +141,11 @@ namespace caudal::potential
           s.push_back(station.s);
           values.push_back(std::log(station.*axis / end_factor(station.s)));
         }
-        return MonotoneInterpolant(s, values);
+        return Profile(s, values, limited);
       }
 
       const std::vector<Station> stations;
-      const MonotoneInterpolant  log_ga, log_gb;
+      const Profile              log_ga, log_gb;
     };
 
     class Ellipsoid : public EllipticBody
@@ -273,6 +273,11 @@ namespace caudal::potential
                       "A text file with these rows, instead of them; a row of names may come "
                       "first.",
                       Patterns::Anything());
+    prm.add_parameter("Interpolation", interpolation,
+                      "Between the stations, of the logarithms of the half-axes over those of a "
+                      "round body: 'spline', the natural cubic spline, which may overshoot; "
+                      "'limited', the same without bulges or necks that no station has.",
+                      Patterns::Selection("limited|spline"));
     prm.add_parameter("Axes", axes,
                       "Half-axes of the ellipsoid along the spine, lateral and dorsal [m].",
                       Patterns::List(Patterns::Double(), 3, 3));

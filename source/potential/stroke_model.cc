@@ -7,12 +7,6 @@ namespace caudal::potential
 {
   namespace
   {
-    /** (1/2) u.M u */
-    double compute_energy(const FullMatrix<double> &mass, const Vector<double> &u)
-    {
-      return 0.5 * mass.matrix_norm_square(u);
-    }
-
     class BruteForce : public StrokeModel
     {
     public:
@@ -127,40 +121,19 @@ namespace caudal::potential
       , boundary_elements(surface, communicator)
   {}
 
-  FullMatrix<double> SwimmingShape::compute_mass(const std::vector<double> &c,
-                                                 FullMatrix<double>        *potentials)
-  {
-    Potentials         flow = boundary_elements.compute_potentials(deformation.place(c));
-    FullMatrix<double> mass = deformation.compute_body_mass(c);
-    mass *= densities.body;
-    mass.add(densities.fluid, flow.added_mass);
-    if (potentials != nullptr)
-      *potentials = std::move(flow.values);
-    return mass;
-  }
-
-  std::vector<double> SwimmingShape::compute_energy_gradient(const GaitState      &at,
-                                                             const Vector<double> &u)
-  {
-    const double        step = 1e-3;
-    std::vector<double> gradient(at.c.size(), 0.);
-    for (unsigned int i = 0; with_torques && i < at.c.size(); ++i)
-      for (const double sign : {-1., 1.})
-      {
-        std::vector<double> c = at.c;
-        c[i] += sign * step;
-        gradient[i] += sign * compute_energy(compute_mass(c), u) / (2. * step);
-      }
-    return gradient;
-  }
-
   StrokeState SwimmingShape::compute_state(const double argument, FullMatrix<double> *potentials)
   {
     const GaitState    at = gait.evaluate(argument);
     const unsigned int n  = deformation.n_modes();
     StrokeState        state;
     state.rates                   = at.rates;
-    const FullMatrix<double> mass = compute_mass(at.c, potentials);
+    const auto               flow = boundary_elements.solve(deformation.place(at.c));
+    const FullMatrix<double> body = deformation.compute_body_mass(at.c);
+    FullMatrix<double>       mass = flow->get_potentials().added_mass;
+    mass *= densities.fluid;
+    mass.add(densities.body, body);
+    if (potentials != nullptr)
+      *potentials = flow->get_potentials().values;
     for (unsigned int i = 0; i < 6; ++i)
     {
       for (unsigned int j = 0; j < 6; ++j)
@@ -173,8 +146,7 @@ namespace caudal::potential
         state.deformation_energy += 0.5 * at.rates[i] * mass(6 + i, 6 + j) * at.rates[j];
 
     // The block between rotation and translation of the body's own mass is m c^.
-    const FullMatrix<double> body = deformation.compute_body_mass(at.c);
-    state.centre                  = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
+    state.centre = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
 
     // u = (q, c') from rest
     const Screw    q = state.motion.compute_velocity(Screw(), 1.);
@@ -185,7 +157,16 @@ namespace caudal::potential
       u(6 + i) = at.rates[i];
     mass.vmult(momenta, u);
     state.momenta.assign(momenta.begin() + 6, momenta.end());
-    state.energy_gradient = compute_energy_gradient(at, u);
+    state.energy_gradient.assign(n, 0.);
+    if (with_torques && n > 0)
+    {
+      const std::vector<double> motion(u.begin(), u.end());
+      const std::vector<double> of_fluid =
+          flow->compute_energy_gradient(motion, deformation.compute_mode_rates(at.c, at.rates));
+      const std::vector<double> of_body = deformation.compute_body_energy_gradient(at.c, motion);
+      for (unsigned int i = 0; i < n; ++i)
+        state.energy_gradient[i] = densities.fluid * of_fluid[i] + densities.body * of_body[i];
+    }
     return state;
   }
 

@@ -7,7 +7,7 @@ namespace caudal::potential
   namespace
   {
     // Points in each direction.
-    const unsigned int n_gauss[ReferenceRules::n_gauss_rules] = {3, 4, 6};
+    const unsigned int n_gauss[ReferenceRules::n_gauss_rules] = {3, 4, 5, 6};
     const unsigned int n_radial                               = 5;
     const unsigned int n_angular                              = 14;
 
@@ -60,11 +60,17 @@ namespace caudal::potential
         x_derivatives[q * stride + k] = gradient[0];
         y_derivatives[q * stride + k] = gradient[1];
       }
+    const std::vector<double> *const by_point[] = {&values, &x_derivatives, &y_derivatives};
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int k = 0; k < fe.n_dofs_per_cell(); ++k)
+        for (unsigned int q = 0; q < n_points; ++q)
+          by_function[i].push_back((*by_point[i])[q * stride + k]);
   }
 
   ReferenceRules::ReferenceRules(const FiniteElement<2, 3> &fe)
       : fe(fe)
-      , gauss_on_square{{QGauss<2>(n_gauss[0]), QGauss<2>(n_gauss[1]), QGauss<2>(n_gauss[2])}}
+      , gauss_on_square{{QGauss<2>(n_gauss[0]), QGauss<2>(n_gauss[1]), QGauss<2>(n_gauss[2]),
+                         QGauss<2>(n_gauss[3])}}
       , outline_of_square(QIterated<2>(QTrapezoid<1>(), 2))
   {
     for (const Point<2> &node : fe.get_unit_support_points())

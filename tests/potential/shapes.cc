@@ -26,7 +26,7 @@ const std::string salmon =
 void check_profiles()
 {
   const std::vector<double> x = {0, 1, 1.3, 4, 4.2, 5}, y = {0, 5, 5.1, -3, -3, 7};
-  const MonotoneInterpolant profile(x, y);
+  const Profile             profile(x, y, true);
   double                    overshoot = 0., jump = 0., miss = 0.;
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     for (double t = 0.; t <= 1.; t += 0.01)

@@ -61,6 +61,13 @@ namespace caudal::potential
     bool               is_symmetric() const override;
     double             get_length() const override;
 
+    std::vector<std::vector<Tensor<1, 3>>>
+    compute_mode_rates(const std::vector<double> &c,
+                       const std::vector<double> &rates) const override;
+
+    std::vector<double> compute_body_energy_gradient(const std::vector<double> &c,
+                                                     const std::vector<double> &u) const override;
+
   private:
     /** A place on the spine with all that does not depend on c. */
     struct Station
@@ -76,11 +83,12 @@ namespace caudal::potential
     {
       Tensor<1, 3>              place, tangent, normal;
       std::vector<Tensor<1, 3>> place_by_mode; // W_i
+      std::vector<Tensor<1, 3>> rate_by_mode;  // sum_j c_j' dW_i/dc_j, if there are rates
     };
 
     Station                make_station(double s) const;
-    std::vector<BentSpine> bend(const std::vector<Station> &stations,
-                                const std::vector<double>  &c) const;
+    std::vector<BentSpine> bend(const std::vector<Station> &stations, const std::vector<double> &c,
+                                const std::vector<double> &rates = {}) const;
 
     const std::unique_ptr<SpineModes> modes;
     const double                      length;

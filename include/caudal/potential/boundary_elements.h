@@ -1,38 +1,10 @@
 #ifndef caudal_potential_boundary_elements_h
 #define caudal_potential_boundary_elements_h
 
-#include <caudal/potential/surface_quadrature.h>
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/lac/full_matrix.h>
+#include <caudal/potential/exterior_flow.h>
 
 namespace caudal::potential
 {
-  /**
-   * The flow around a surface for each of its motions: the three rotations about the
-   * origin, the three translations, and the modes of SurfaceMotion, in this order.
-   */
-  struct Potentials
-  {
-    /** phi_k at the surface's nodes for unit rate of motion k; by node, motion [m^2 or m^3]. */
-    FullMatrix<double> values;
-
-    /**
-     * The fluid's mass matrix over its density, -int phi_k (u_l.n) dS, u_l the surface's
-     * velocity in motion l, symmetrised [m^3 to m^5].
-     */
-    FullMatrix<double> added_mass;
-
-    double volume = 0.; ///< inside the surface [m^3]
-  };
-
-  /** What computing potentials has cost, in s of CPU of this rank. */
-  struct BoundaryElementCost
-  {
-    double assembly = 0.;
-    double solution = 0.;
-  };
-
   /**
    * Boundary elements for Laplace's equation outside of a closed surface, with given
    * normal derivative u.n on it (n out of the body) and decay at infinity. Green's third
@@ -53,7 +25,10 @@ namespace caudal::potential
     BoundaryElements(const Surface &surface, MPI_Comm communicator);
 
     /** Collective; every rank gets the same. Throws if the matrix is singular. */
-    Potentials compute_potentials(const SurfaceMotion &motion);
+    std::unique_ptr<ExteriorFlow> solve(SurfaceMotion motion);
+
+    /** The same, if nothing but the potentials is of interest. */
+    Potentials compute_potentials(SurfaceMotion motion);
 
     const BoundaryElementCost &get_cost() const
     {

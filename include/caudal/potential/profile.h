@@ -9,10 +9,11 @@ namespace caudal::potential
 {
   /**
    * A smooth curve through the points (x_i, y_i), x_i increasing: twice continuously
-   * differentiable, and monotone between two points, so that it never overshoots.
+   * differentiable and, if it is limited, monotone between two points, so that it never
+   * overshoots.
    *
    * Quintic Hermite interpolation with the first and second derivatives of the natural cubic
-   * spline, which is that spline itself. Where it would not be monotone, the derivatives at
+   * spline, which is that spline itself. Limited, where it is not monotone, the derivatives at
    * the points beside are limited, as in R. L. Dougherty, A. Edelman and J. M. Hyman, Math.
    * Comput. 52, 1989: the second one to zero, the first one to twice the smaller slope of the
    * secants, and to zero at an extremum. With both ends limited an interval is monotone: in
@@ -20,10 +21,10 @@ namespace caudal::potential
    * p' >= 0 for (2, 0), (0, 2) and (0, 0), of which all others are mixtures. Linear beyond
    * the ends, where the second derivative is zero.
    */
-  class MonotoneInterpolant
+  class Profile
   {
   public:
-    MonotoneInterpolant(const std::vector<double> &x, const std::vector<double> &y);
+    Profile(const std::vector<double> &x, const std::vector<double> &y, bool limited);
 
     double value(double x) const;
 

@@ -18,7 +18,8 @@ namespace caudal::potential
     double              length = 0.1;
     std::string         stations;
     std::string         stations_file;
-    std::vector<double> axes = {0.05, 0.01, 0.01};
+    std::string         interpolation = "limited";
+    std::vector<double> axes          = {0.05, 0.01, 0.01};
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -62,9 +63,9 @@ namespace caudal::potential
    * The shape that @p parameters describe; @p surface matters for `file` only.
    *
    * `stations`: ellipses of half-width a and half-height b across the spine,
-   *   a(s) = g_a(s) E(s), E = 2 sqrt(s (L - s))/L, g_a = exp(p(s)), p the smooth monotone
-   *   interpolant of ln(a_i/E(s_i)) (MonotoneInterpolant), and b likewise: round ends,
-   *   positive and without bulges between the stations.
+   *   a(s) = g_a(s) E(s), E = 2 sqrt(s (L - s))/L, g_a = exp(p(s)), p the Profile through
+   *   ln(a_i/E(s_i)), and b likewise: round ends, positive and, if the profile is limited,
+   *   without bulges between the stations.
    * `ellipsoid`: g_a and g_b are constant.
    * `file`: the surface mesh of section `Surface`.
    */

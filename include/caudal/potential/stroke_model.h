@@ -81,20 +81,12 @@ namespace caudal::potential
     /** The state and, unless null, the potentials. */
     StrokeState compute_state(double argument, FullMatrix<double> *potentials = nullptr);
 
-    /** The mass matrix of body and fluid [kg, kg m, kg m^2], for the motions of Potentials. */
-    FullMatrix<double> compute_mass(const std::vector<double> &c,
-                                    FullMatrix<double>        *potentials = nullptr);
-
     const Surface     &surface;
     const Deformation &deformation;
     const Gait        &gait;
     const Densities    densities;
     const bool         with_torques;
     BoundaryElements   boundary_elements;
-
-  private:
-    /** dT/dc_i for fixed rates of all motions, (omega, v, dc/dpsi) = u, by differences. */
-    std::vector<double> compute_energy_gradient(const GaitState &at, const Vector<double> &u);
   };
 
   /** A new surface at each instant. */

@@ -25,6 +25,9 @@ namespace caudal::potential
     std::vector<double> values;        ///< by point, then shape function
     std::vector<double> x_derivatives; ///< along the first reference coordinate
     std::vector<double> y_derivatives; ///< along the second one
+
+    /** The same three, one after the other, by shape function, then point. */
+    std::array<std::vector<double>, 3> by_function;
   };
 
   /** One of the equal parts of the unit square, 2^levels[d] in the direction d. */
@@ -64,7 +67,7 @@ namespace caudal::potential
     }
 
     /** Gauss's rules with more and more points. */
-    static constexpr unsigned int n_gauss_rules = 3;
+    static constexpr unsigned int n_gauss_rules = 4;
 
     /** One of them on a part of the cell. */
     const ReferenceRule &get_gauss(unsigned int rule, const CellPart &part);
