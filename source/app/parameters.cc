@@ -58,6 +58,7 @@ namespace caudal
     refinement.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    checkpoint.add_parameters(prm);
   }
 
   template <int dim>
@@ -72,6 +73,7 @@ namespace caudal
     refinement.check(domain.levels);
     solver.check();
     output.check();
+    checkpoint.check();
   }
 
   std::string get_model(const ParameterFile &file)

@@ -9,13 +9,16 @@ namespace caudal
 {
   template <int dim>
   RunOutput<dim>::RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
-                            const OutputFolder &folder, Log &log)
+                            const OutputFolder &folder, Log &log,
+                            const std::optional<KeptResults> &kept)
       : parameters(parameters)
       , system(system)
       , statistics(Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0
                        ? folder.path("statistics.txt")
-                       : "")
-      , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator())
+                       : "",
+                   kept ? kept->until : -1)
+      , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator(),
+                     kept ? kept->fields : -1)
       , flow(summarise_flow(system.space, system.fluid.velocity))
   {
     ledger.initial_kinetic_energy = ledger.kinetic_energy = flow.kinetic_energy;
@@ -23,7 +26,7 @@ namespace caudal
     for (const auto &body : system.bodies)
     {
       const SolidBody<dim> &solid = body->solid;
-      initial_centers.push_back(solid.compute_mean(solid.positions));
+      initial_centers.push_back(solid.compute_mean(solid.initial_positions));
       const double      density = parameters.fluid.density + solid.get_excess_density();
       const std::string file =
           system.bodies.size() == 1 ? "swim.txt" : "swim_" + body->get_name() + ".txt";
@@ -56,9 +59,18 @@ namespace caudal
     if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
         stepper.is_at_end())
       write_statistics(stepper, result, n_cells);
-    if (stepper.get_time() >= n_field_outputs * parameters.output.field_interval * (1 - 1e-9) ||
-        stepper.is_at_end())
+    if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
       write_fields(stepper.get_time());
+  }
+
+  template <int dim>
+  bool RunOutput<dim>::fields_are_due(const double time) const
+  {
+    // Whether a multiple of the interval was passed since the last output, which may
+    // have been an additional one.
+    const double interval = parameters.output.field_interval;
+    const auto   count    = [&](const double t) { return std::floor(t / interval * (1 + 1e-9)); };
+    return interval == 0 || count(time) > count(last_field_time);
   }
 
   template <int dim>

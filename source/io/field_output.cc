@@ -101,7 +101,10 @@ namespace caudal
   {
     run_on_root(communicator, [&]() {
       std::filesystem::create_directories(folder + "/fields");
+      if (resume_time < 0)
+        return;
       read_list(resume_time);
+      write_list();
     });
   }
 
@@ -178,7 +181,8 @@ namespace caudal
     }
     out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
     out.close();
-    AssertThrow(out, ExcMessage("The list of fields <" + temporary + "> can't be written."));
+    AssertThrow(out, ExcMessage("The list of fields <" + temporary +
+                                "> can't be written. Is the disk full?"));
     std::filesystem::rename(temporary, get_list_name());
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 
@@ -234,6 +235,14 @@ namespace caudal
         << " W/m." << std::endl;
   }
 
+  void SwimReport::resume() const
+  {
+    if (beats.empty() && !file.empty())
+      std::filesystem::remove(file);
+    else
+      write_file();
+  }
+
   void SwimReport::write_file() const
   {
     if (file.empty())
@@ -242,6 +251,8 @@ namespace caudal
     write_header(out, swimmer.name);
     for (std::size_t i = 0; i < beats.size(); ++i)
       write_row(out, i + 1, beats[i]);
-    AssertThrow(out, ExcMessage("The table of tail beats <" + file + "> can't be written."));
+    out.close();
+    AssertThrow(out, ExcMessage("The table of tail beats <" + file +
+                                "> can't be written. Is the disk full?"));
   }
 } // namespace caudal

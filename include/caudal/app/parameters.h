@@ -4,6 +4,7 @@
 #include <caudal/app/swimming_body.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/time_stepping.h>
+#include <caudal/io/checkpoint_folder.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
 
@@ -24,6 +25,7 @@ namespace caudal
     RefinementParameters                                      refinement;
     SolverParameters                                          solver;
     OutputParameters                                          output;
+    CheckpointParameters                                      checkpoint;
     std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
 
     /**

@@ -8,6 +8,8 @@
 #include <caudal/io/statistics.h>
 #include <caudal/io/swim_report.h>
 
+#include <optional>
+
 namespace caudal
 {
   /** Energies of fluid and bodies since the start (per metre of span in 2D). */
@@ -20,6 +22,13 @@ namespace caudal
     double muscle_work            = 0;
     double feedback_work          = 0;
 
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &initial_kinetic_energy &kinetic_energy &elastic_energy;
+      archive &dissipation &muscle_work               &feedback_work;
+    }
+
     /** What is unaccounted for: flow through the sides, errors of the schemes and of the grid. */
     double get_residual() const
     {
@@ -28,13 +37,20 @@ namespace caudal
     }
   };
 
+  /** Until when a resumed run keeps what was written before [s]. */
+  struct KeptResults
+  {
+    double until  = -1;
+    double fields = -1;
+  };
+
   /** Writes what a run finds: fields, statistics.txt and the tables of tail beats. */
   template <int dim>
   class RunOutput
   {
   public:
     RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
-              const OutputFolder &folder, Log &log);
+              const OutputFolder &folder, Log &log, const std::optional<KeptResults> &kept = {});
 
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
     void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
@@ -43,6 +59,29 @@ namespace caudal
     void write_fields(double time);
 
     void finish();
+
+    const EnergyLedger &get_ledger() const
+    {
+      return ledger;
+    }
+    double get_last_field_time() const
+    {
+      return last_field_time;
+    }
+
+    /** What later reports depend on. */
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &ledger &last_dissipation &n_field_outputs &last_field_time;
+      for (const auto &report : swim_reports)
+        if (report)
+        {
+          archive &*report;
+          if (Archive::is_loading::value)
+            report->resume();
+        }
+    }
 
     double get_largest_velocity() const
     {
@@ -62,6 +101,7 @@ namespace caudal
     unsigned int                             n_field_outputs  = 0;
     double                                   last_field_time  = -1;
 
+    bool fields_are_due(double time) const;
     void update_ledger(double step);
     void write_statistics(const TimeStepper &stepper, const StepResult &result,
                           unsigned int n_cells);

@@ -129,6 +129,9 @@ namespace caudal
     /** Writes the mean of the steady beats at the end to the log. */
     void finish();
 
+    /** After the state was read back: removes later beats from the file. */
+    void resume() const;
+
     const std::vector<TailBeat> &get_beats() const
     {
       return beats;
