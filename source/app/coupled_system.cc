@@ -1,4 +1,5 @@
 #include <caudal/app/coupled_system.h>
+#include <iostream>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -257,6 +258,7 @@ namespace caudal
   void CoupledSystem<dim>::factorise(const std::vector<Body> &bodies,
                                      const MomentumWeights   &weights)
   {
+    Timer              fclock;
     TimerOutput::Scope timer_section(timer, "factorisation");
     const double       scale = get_kinematic_scale(weights);
     Triplets           entries;
@@ -297,6 +299,9 @@ namespace caudal
     }
     direct_solver.factorize(begin, entries);
     ++n_factorisations;
+    if (getenv("CALIB"))
+      std::cerr << "FACT " << fclock.wall_time() << " " << direct_solver.get_factorisation_cost()
+                << " " << direct_solver.get_factor_entries() << "\n";
   }
 
   template <int dim>
@@ -305,6 +310,7 @@ namespace caudal
                                            const MomentumWeights &weights, const double reference,
                                            const unsigned int n_affordable)
   {
+    Timer                                        clock;
     TimerOutput::Scope                           timer_section(timer, "iterations");
     const double                                 scale = get_kinematic_scale(weights);
     const SystemOperator<dim>                    system(momentum, bodies, scale);
@@ -321,6 +327,8 @@ namespace caudal
     catch (const SolverControl::NoConvergence &)
     {} // the number of iterations tells
     last_residual = control.last_value();
+    if (getenv("CALIB"))
+      std::cerr << "ITER " << clock.wall_time() / (control.last_step() + 1) << "\n";
     return iterations;
   }
 
@@ -349,7 +357,7 @@ namespace caudal
     solution.reinit(rhs);
 
     const double reference = std::max(forces_scale, rhs.l2_norm());
-    AssertThrow(std::isfinite(reference), ExcMessage("The forces on the fluid are not finite."));
+    AssertThrow(std::isfinite(reference), ExcNotFinite("The forces on the fluid are"));
     const bool         reuses     = !should_factorise(matrix_changed);
     const unsigned int n_possible = parameters.largest_number_of_iterations;
     unsigned int       iterations = n_possible + 1;

@@ -1,5 +1,6 @@
 #include <caudal/app/immersed_swimmer.h>
 
+#include <caudal/io/on_root.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/utilities.h>
@@ -25,6 +26,7 @@ namespace caudal
       , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system)
                                              : create_semi_implicit_scheme<dim>(system))
       , checkpoints(parameters, triangulation, space, adaptation, system)
+      , guards(parameters.guards, system)
   {
     make_domain(triangulation, parameters.domain);
     AssertThrow(
@@ -162,12 +164,14 @@ namespace caudal
     for (;;)
     {
       std::string reason;
+      FailureKind kind = FailureKind::other;
       try
       {
         return scheme->advance(stepper);
       }
       catch (const SolverControl::NoConvergence &exception)
       {
+        kind   = FailureKind::no_convergence;
         reason = "The linear solver did not converge (residual " +
                  std::to_string(exception.last_residual) +
                  "; Solver/Largest number of iterations).";
@@ -177,11 +181,25 @@ namespace caudal
         std::ostringstream text;
         exception.print_info(text);
         reason = Utilities::trim(text.str());
+        if (dynamic_cast<const ExcInvertedElement *>(&exception) != nullptr)
+          kind = FailureKind::inverted_element;
+        else if (dynamic_cast<const ExcNotFinite *>(&exception) != nullptr)
+          kind = FailureKind::not_finite;
       }
-      log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
-          << " s failed. " << reason << std::endl;
-      stepper.reject(reason);
+      reject(stepper, kind, reason, log);
     }
+  }
+
+  /** The step is tried again with half its size, unless it was too often: then the run ends. */
+  template <int dim>
+  void ImmersedSwimmer<dim>::reject(TimeStepper &stepper, const FailureKind kind,
+                                    const std::string &reason, Log &log)
+  {
+    log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
+        << " s failed. " << reason << std::endl;
+    const std::string error = catch_error([&]() { stepper.reject(reason); });
+    AssertThrow(error.empty(),
+                ExcMessage(error + "\n" + describe_failure(kind, system, get_domain())));
   }
 
   template <int dim>
@@ -217,6 +235,7 @@ namespace caudal
       scheme->accept(stepper.get_step());
       stepper.accept(result.indicators);
       output.report_step(stepper, result, triangulation.n_global_active_cells());
+      guards.check(stepper.get_time(), output.get_ledger(), log);
 
       std::ostringstream details;
       details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
@@ -266,6 +285,7 @@ namespace caudal
           << " at t = " << stepper.get_time() << " s, step " << stepper.get_step_number()
           << ". To go on: caudal --resume " << folder.path() << std::endl;
 
+    guards.print_summary(log);
     print_costs(stepper.get_step_number(), log.get_stream());
     return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
   }

@@ -1,4 +1,5 @@
 #include <caudal/app/run_output.h>
+#include <caudal/io/on_root.h>
 
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>
@@ -47,20 +48,27 @@ namespace caudal
     TimerOutput::Scope timer_section(system.timer, "output");
     flow = summarise_flow(system.space, system.fluid.velocity);
     update_ledger(stepper.get_previous_step());
+    // Rank 0 alone writes to the tables; if it can't, all ranks must know.
+    run_on_all(system.space.get_communicator(), [&]() { report_swimming(stepper.get_time()); });
+    if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
+        stepper.is_at_end())
+      write_statistics(stepper, result, n_cells);
+    if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
+      write_fields(stepper.get_time());
+  }
+
+  template <int dim>
+  void RunOutput<dim>::report_swimming(const double time)
+  {
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
       if (swim_reports[b])
       {
         const SwimmingBody<dim> &body = *system.bodies[b];
         const Tensor<1, dim>     way =
             body.solid.compute_mean(body.solid.positions) - initial_centers[b];
-        swim_reports[b]->add({stepper.get_time(), body.get_lateral_position(),
+        swim_reports[b]->add({time, body.get_lateral_position(),
                               way * (-body.solid.get_initial_axis(0)), body.muscle_work});
       }
-    if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
-        stepper.is_at_end())
-      write_statistics(stepper, result, n_cells);
-    if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
-      write_fields(stepper.get_time());
   }
 
   template <int dim>
@@ -130,7 +138,7 @@ namespace caudal
       statistics.set("velocity error", "m^2/s", velocity_error);
       statistics.set("pressure error", "Pa m", pressure_error);
     }
-    statistics.write_row();
+    run_on_all(system.space.get_communicator(), [&]() { statistics.write_row(); });
   }
 
   template <int dim>

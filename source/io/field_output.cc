@@ -121,10 +121,20 @@ namespace caudal
                ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
                : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
     };
-    if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
-      run_on_root(communicator, write_data);
-    else
-      write_data();
+    try
+    {
+      if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
+        run_on_root(communicator, write_data);
+      else
+        run_on_all(communicator, write_data);
+    }
+    catch (const ExceptionBase &)
+    {
+      AssertThrow(false, ExcMessage("The fields can't be written to <" + folder +
+                                    "/fields> any more. Is the disk full, the folder removed or "
+                                    "not writable? Make room, then go on by caudal --resume " +
+                                    folder + "."));
+    }
 
     run_on_root(communicator, [&]() {
       series[time][name] = entry;

@@ -10,6 +10,8 @@
 
 namespace caudal
 {
+  DeclException1(ExcNotFinite, std::string, << arg1 << " not finite.");
+
   /** Section `Solver`. */
   struct SolverParameters
   {

@@ -2,6 +2,8 @@
 #define caudal_app_immersed_swimmer_h
 
 #include <caudal/app/checkpoints.h>
+#include <caudal/app/failure_report.h>
+#include <caudal/app/guards.h>
 #include <caudal/app/outcome.h>
 #include <caudal/app/parameters.h>
 #include <caudal/app/run_output.h>
@@ -47,6 +49,7 @@ namespace caudal
     GridAdaptation<dim>                             adaptation;
     std::unique_ptr<TimeScheme<dim>>                scheme;
     Checkpoints<dim>                                checkpoints;
+    Guards<dim>                                     guards;
     ParameterValues                                 parameter_values;
     std::optional<RunState>                         resumed;
 
@@ -57,10 +60,11 @@ namespace caudal
     void             start_bodies();
     void             adapt_grid(const TimeStepper &stepper, Log &log);
     StepResult       advance(TimeStepper &stepper, Log &log);
-    bool             is_out_of_time() const;
-    void             write_last_state(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
-    void             run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
-                                const std::function<bool()> &stop_requested);
+    void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);
+    bool is_out_of_time() const;
+    void write_last_state(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
+    void run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
+                    const std::function<bool()> &stop_requested);
   };
 } // namespace caudal
 

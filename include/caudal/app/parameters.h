@@ -1,6 +1,7 @@
 #ifndef caudal_app_parameters_h
 #define caudal_app_parameters_h
 
+#include <caudal/app/guard_parameters.h>
 #include <caudal/app/swimming_body.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/time_stepping.h>
@@ -26,6 +27,7 @@ namespace caudal
     SolverParameters                                          solver;
     OutputParameters                                          output;
     CheckpointParameters                                      checkpoint;
+    GuardParameters                                           guards;
     std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
 
     /**

@@ -101,6 +101,7 @@ namespace caudal
     unsigned int                             n_field_outputs  = 0;
     double                                   last_field_time  = -1;
 
+    void report_swimming(double time);
     bool fields_are_due(double time) const;
     void update_ledger(double step);
     void write_statistics(const TimeStepper &stepper, const StepResult &result,
