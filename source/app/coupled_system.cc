@@ -1,5 +1,4 @@
 #include <caudal/app/coupled_system.h>
-#include <iostream>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -50,9 +49,10 @@ namespace caudal
   {
     /**
      * Time for an operation of a factorisation over that for an entry of the factors in an
-     * iteration. TODO measure
+     * iteration: 0.054 to 0.071 in systems with 1e6 to 4e6 entries (OpenBLAS, one core). It is
+     * a constant since decisions by measured times would differ from run to run.
      */
-    constexpr double relative_speed = 0.1;
+    constexpr double relative_speed = 0.055;
 
     /** The bodies' unknowns, which rank 0 holds, to and from all ranks. */
     class BodyVector
@@ -258,7 +258,6 @@ namespace caudal
   void CoupledSystem<dim>::factorise(const std::vector<Body> &bodies,
                                      const MomentumWeights   &weights)
   {
-    Timer              fclock;
     TimerOutput::Scope timer_section(timer, "factorisation");
     const double       scale = get_kinematic_scale(weights);
     Triplets           entries;
@@ -299,9 +298,6 @@ namespace caudal
     }
     direct_solver.factorize(begin, entries);
     ++n_factorisations;
-    if (getenv("CALIB"))
-      std::cerr << "FACT " << fclock.wall_time() << " " << direct_solver.get_factorisation_cost()
-                << " " << direct_solver.get_factor_entries() << "\n";
   }
 
   template <int dim>
@@ -310,7 +306,6 @@ namespace caudal
                                            const MomentumWeights &weights, const double reference,
                                            const unsigned int n_affordable)
   {
-    Timer                                        clock;
     TimerOutput::Scope                           timer_section(timer, "iterations");
     const double                                 scale = get_kinematic_scale(weights);
     const SystemOperator<dim>                    system(momentum, bodies, scale);
@@ -327,8 +322,6 @@ namespace caudal
     catch (const SolverControl::NoConvergence &)
     {} // the number of iterations tells
     last_residual = control.last_value();
-    if (getenv("CALIB"))
-      std::cerr << "ITER " << clock.wall_time() / (control.last_step() + 1) << "\n";
     return iterations;
   }
 

@@ -98,7 +98,8 @@ namespace caudal
     const double displacement = compute_tether_displacement(body);
     if (exceeds(displacement, parameters.largest_tether_displacement))
       warn({"Largest tether displacement", "the displacement of the springs " + name, " spacings",
-            "What should stay in place does not: increase Body/Region/Feedback stiffness."},
+            "Where springs are to hold a part in its place, increase Body/Region/Feedback "
+            "stiffness."},
            displacement, parameters.largest_tether_displacement, time, log);
     if (exceeds(body.power_identity, parameters.largest_power_identity))
       warn({"Largest power identity", "the relative difference of powers " + name, "",
@@ -118,7 +119,7 @@ namespace caudal
     const double residual = std::abs(ledger.get_residual()) / std::max(scale, 1e-300);
     if (is_closed && parameters.largest_energy_residual > 0 &&
         residual > parameters.largest_energy_residual)
-      warn({"Largest energy residual", "the energy that is unaccounted for", " of the ledger's sum",
+      warn({"Largest energy residual", "the energy residual", " of the ledger's sum",
             "Steps or cells are too large for the motion: reduce Time/Step, refine the wake "
             "(Refinement/Vorticity threshold)."},
            residual, parameters.largest_energy_residual, time, log);

@@ -23,7 +23,7 @@ subsection Body fish
     set Type              = naca
     set NACA digits       = 0024
     set Length            = 0.6
-    set Elements          = 10, 3
+    set Elements          = 12, 4
     set Position          = 0.7, 0.5
     set Region boundaries = 0.5
   end
