@@ -178,6 +178,9 @@ namespace caudal
       {
         reason = exception.what();
       }
+      std::error_code ignored;
+      if (!reason.empty())
+        fs::remove_all(fs::path(folder) / "unfinished", ignored);
       AssertThrow(reason.empty(),
                   ExcMessage("The checkpoint of step " + std::to_string(step) +
                              " can't be written to <" + folder + ">: " + reason +
