@@ -267,6 +267,7 @@ namespace caudal
     else
       output.write_fields(0);
     resumed.reset();
+    const unsigned int first_step = stepper.get_step_number();
     try
     {
       run_to_end(stepper, output, log, stop_requested);
@@ -286,7 +287,7 @@ namespace caudal
           << ". To go on: caudal --resume " << folder.path() << std::endl;
 
     guards.print_summary(log);
-    print_costs(stepper.get_step_number(), log.get_stream());
+    print_costs(stepper.get_step_number() - first_step, log.get_stream());
     return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
   }
 
