@@ -1,6 +1,7 @@
 #include <caudal/app/elastic_body.h>
-#include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/immersed_run.h>
 #include <caudal/app/potential_swimmer.h>
+#include <caudal/app/verify_restart.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
 
@@ -23,9 +24,13 @@ namespace
     stopped  = 2
   };
 
-  /** SIGINT and SIGTERM, and SIGUSR1 as which scripts/swim forwards them through mpirun. */
+  /**
+   * SIGINT and SIGTERM, and SIGUSR1 as which scripts/swim forwards them through mpirun. A file
+   * that exceeds its limit is an error like that of a full disk.
+   */
   void catch_signals()
   {
+    std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
       std::signal(signal, [](int) { stop_signal = 1; });
   }
@@ -84,8 +89,24 @@ namespace
   template <int dim>
   Exit run_immersed(const ParameterFile &file, const CommandLine &command_line)
   {
-    RunParameters<dim> parameters(&file);
-    return run_model<ImmersedSwimmer<dim>>(parameters, file, command_line);
+    using Action                  = CommandLine::Action;
+    const unsigned int n_verified = 10; // steps
+    if (command_line.action == Action::check)
+    {
+      RunParameters<dim> parameters(&file);
+      return run_model<ImmersedSwimmer<dim>>(parameters, file, command_line);
+    }
+    if (command_line.action == Action::verify_restart)
+    {
+      const std::string result = verify_restart<dim>(file, n_verified, MPI_COMM_WORLD);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << result << std::endl;
+      return finished;
+    }
+    const ImmersedRun<dim> run(file, MPI_COMM_WORLD);
+    const Outcome outcome = command_line.action == Action::resume ? run.resume(stop_requested)
+                                                                  : run.start(stop_requested);
+    return outcome == Outcome::finished ? finished : stopped;
   }
 
   template <int dim>
@@ -97,8 +118,25 @@ namespace
 
   Exit run_potential(const ParameterFile &file, const CommandLine &command_line)
   {
+    AssertThrow(command_line.action != CommandLine::Action::resume &&
+                    command_line.action != CommandLine::Action::verify_restart,
+                ExcMessage("Model: runs of the model potential write no checkpoints, since they "
+                           "take seconds. Start the run anew."));
     PotentialParameters parameters;
     return run_model<PotentialSwimmer>(parameters, file, command_line);
+  }
+
+  /** The parameters of the run in a folder of results, with overrides. */
+  std::unique_ptr<ParameterFile> read_parameters_of_run(const CommandLine &command_line)
+  {
+    const std::string name = command_line.folder + "/parameters.prm";
+    AssertThrow(std::ifstream(name),
+                ExcMessage("The folder <" + command_line.folder +
+                           "> holds no run of Caudal: there is no parameters.prm. Give the folder "
+                           "of a run's results."));
+    std::vector<std::string> overrides = command_line.overrides;
+    overrides.push_back("Output/Folder=" + command_line.folder);
+    return std::make_unique<ParameterFile>(name, overrides);
   }
 
   template <class Parameters>
@@ -128,7 +166,9 @@ namespace
       return finished;
     }
     std::unique_ptr<ParameterFile> file;
-    if (!command_line.file.empty())
+    if (command_line.action == CommandLine::Action::resume)
+      file = read_parameters_of_run(command_line);
+    else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)

@@ -1,5 +1,6 @@
 #include <caudal/app/immersed_swimmer.h>
 
+#include <caudal/io/on_root.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/utilities.h>
@@ -24,6 +25,8 @@ namespace caudal
       , adaptation(triangulation, space, parameters.refinement, system)
       , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system)
                                              : create_semi_implicit_scheme<dim>(system))
+      , checkpoints(parameters, triangulation, space, adaptation, system)
+      , guards(parameters.guards, system)
   {
     make_domain(triangulation, parameters.domain);
     AssertThrow(
@@ -161,12 +164,14 @@ namespace caudal
     for (;;)
     {
       std::string reason;
+      FailureKind kind = FailureKind::other;
       try
       {
         return scheme->advance(stepper);
       }
       catch (const SolverControl::NoConvergence &exception)
       {
+        kind   = FailureKind::no_convergence;
         reason = "The linear solver did not converge (residual " +
                  std::to_string(exception.last_residual) +
                  "; Solver/Largest number of iterations).";
@@ -176,27 +181,61 @@ namespace caudal
         std::ostringstream text;
         exception.print_info(text);
         reason = Utilities::trim(text.str());
+        if (dynamic_cast<const ExcInvertedElement *>(&exception) != nullptr)
+          kind = FailureKind::inverted_element;
+        else if (dynamic_cast<const ExcNotFinite *>(&exception) != nullptr)
+          kind = FailureKind::not_finite;
       }
-      log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
-          << " s failed. " << reason << std::endl;
-      stepper.reject(reason);
+      reject(stepper, kind, reason, log);
     }
+  }
+
+  /** The step is tried again with half its size, unless it was too often: then the run ends. */
+  template <int dim>
+  void ImmersedSwimmer<dim>::reject(TimeStepper &stepper, const FailureKind kind,
+                                    const std::string &reason, Log &log)
+  {
+    log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
+        << " s failed. " << reason << std::endl;
+    const std::string error = catch_error([&]() { stepper.reject(reason); });
+    AssertThrow(error.empty(),
+                ExcMessage(error + "\n" + describe_failure(kind, system, get_domain())));
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::set_parameter_values(const ParameterValues &values)
+  {
+    parameter_values = values;
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::resume_from(RunState state)
+  {
+    resumed = std::move(state);
+  }
+
+  template <int dim>
+  bool ImmersedSwimmer<dim>::is_out_of_time() const
+  {
+    const double limit = parameters.checkpoint.wall_time_limit;
+    return limit > 0 && Utilities::MPI::max(clock.wall_time(), communicator) > 3600 * limit;
   }
 
   template <int dim>
   void ImmersedSwimmer<dim>::run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
                                         const std::function<bool()> &stop_requested)
   {
-    Progress   progress(is_terminal() ? std::cout : log.get_stream(), 0, parameters.time.end_time,
-                      is_terminal());
+    Progress   progress(is_terminal() ? std::cout : log.get_stream(), stepper.get_time(),
+                      parameters.time.end_time, is_terminal());
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
-    while (!stepper.is_at_end() && !stop_requested())
+    while (!stepper.is_at_end() && !stop_requested() && !is_out_of_time())
     {
       adapt_grid(stepper, log);
       const StepResult result = advance(stepper, log);
       scheme->accept(stepper.get_step());
       stepper.accept(result.indicators);
       output.report_step(stepper, result, triangulation.n_global_active_cells());
+      guards.check(stepper.get_time(), output.get_ledger(), output.get_initial_ledger(), log);
 
       std::ostringstream details;
       details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
@@ -204,6 +243,8 @@ namespace caudal
               << " iterations, max |u| " << output.get_largest_velocity() << " m/s";
       if (is_root)
         progress.update(stepper.get_time(), stepper.get_step_number(), details.str());
+      if (checkpoints.is_due())
+        checkpoints.write(/*goes_on=*/!stepper.is_at_end());
     }
     if (is_root)
       progress.finish();
@@ -216,27 +257,56 @@ namespace caudal
     print_summary(log.get_stream());
     log << std::endl;
     TimeStepper    stepper(parameters.time);
-    RunOutput<dim> output(parameters, system, folder, log);
-    output.write_fields(0);
+    RunOutput<dim> output(
+        parameters, system, folder, log,
+        resumed ? std::make_optional(KeptResults{resumed->time, resumed->last_field_time})
+                : std::nullopt);
+    checkpoints.start(folder, parameter_values, stepper, output);
+    if (resumed)
+      checkpoints.restore(*resumed);
+    else
+      output.write_fields(0);
+    resumed.reset();
+    const unsigned int first_step = stepper.get_step_number();
     try
     {
       run_to_end(stepper, output, log, stop_requested);
     }
     catch (...)
     {
-      log << "The last good state, at t = " << stepper.get_time() << " s, is written to "
-          << folder.path() << "." << std::endl;
-      output.write_fields(stepper.get_time());
-      output.finish();
+      write_last_state(stepper, output, log);
       throw;
     }
-    if (!stepper.is_at_end())
-      log << "Stopped on request at t = " << stepper.get_time() << " s." << std::endl;
+    // The checkpoint comes first: the fields of a stopped run are not due.
+    checkpoints.write(/*goes_on=*/false);
     output.write_fields(stepper.get_time());
     output.finish();
+    if (!stepper.is_at_end())
+      log << (stop_requested() ? "Stopped on request" : "Stopped by Checkpoint/Wall time limit")
+          << " at t = " << stepper.get_time() << " s, step " << stepper.get_step_number()
+          << ". To go on: caudal --resume " << folder.path() << std::endl;
 
-    print_costs(stepper.get_step_number(), log.get_stream());
+    guards.print_summary(log);
+    print_costs(stepper.get_step_number() - first_step, log.get_stream());
     return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::write_last_state(const TimeStepper &stepper, RunOutput<dim> &output,
+                                              Log &log)
+  {
+    log << "The last good state, at t = " << stepper.get_time() << " s, is written as fields and "
+        << "as a checkpoint." << std::endl;
+    try
+    {
+      checkpoints.write(/*goes_on=*/false);
+      output.write_fields(stepper.get_time());
+      output.finish();
+    }
+    catch (const std::exception &)
+    {
+      log << "It could not be written." << std::endl; // for the reason that ended the run
+    }
   }
 
   template <int dim>

@@ -58,6 +58,8 @@ namespace caudal
     refinement.add_parameters(prm);
     solver.add_parameters(prm);
     output.add_parameters(prm);
+    checkpoint.add_parameters(prm);
+    guards.add_parameters(prm);
   }
 
   template <int dim>
@@ -72,6 +74,8 @@ namespace caudal
     refinement.check(domain.levels);
     solver.check();
     output.check();
+    checkpoint.check();
+    guards.check();
   }
 
   std::string get_model(const ParameterFile &file)

@@ -1,4 +1,5 @@
 #include <caudal/app/run_output.h>
+#include <caudal/io/on_root.h>
 
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>
@@ -23,13 +24,16 @@ namespace caudal
 
   template <int dim>
   RunOutput<dim>::RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
-                            const OutputFolder &folder, Log &log)
+                            const OutputFolder &folder, Log &log,
+                            const std::optional<KeptResults> &kept)
       : parameters(parameters)
       , system(system)
       , statistics(Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0
                        ? folder.path("statistics.txt")
-                       : "")
-      , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator())
+                       : "",
+                   kept ? kept->until : -1)
+      , field_output(folder.path(), parameters.output.get_format(), system.space.get_communicator(),
+                     kept ? kept->fields : -1)
       , forces(system)
       , flow(summarise_flow(system.space, system.fluid.velocity))
   {
@@ -37,7 +41,7 @@ namespace caudal
     for (const auto &body : system.bodies)
     {
       const SolidBody<dim> &solid = body->solid;
-      initial_centers.push_back(solid.compute_mean(solid.positions));
+      initial_centers.push_back(solid.compute_mean(solid.initial_positions));
       const std::string file =
           system.bodies.size() == 1 ? "swim.txt" : "swim_" + body->get_name() + ".txt";
       swim_reports.push_back(
@@ -76,13 +80,24 @@ namespace caudal
     flow = summarise_flow(system.space, system.fluid.velocity);
     update_ledger(stepper.get_previous_step());
     forces.update(stepper.get_time());
-    report_swimming(stepper.get_time(), stepper.get_previous_step());
+    // Rank 0 alone writes to the tables; if it can't, all ranks must know.
+    run_on_all(system.space.get_communicator(),
+               [&]() { report_swimming(stepper.get_time(), stepper.get_previous_step()); });
     if (stepper.get_step_number() % parameters.output.statistics_interval == 0 ||
         stepper.is_at_end())
       write_statistics(stepper, result, n_cells);
-    if (stepper.get_time() >= n_field_outputs * parameters.output.field_interval * (1 - 1e-9) ||
-        stepper.is_at_end())
+    if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
       write_fields(stepper.get_time());
+  }
+
+  template <int dim>
+  bool RunOutput<dim>::fields_are_due(const double time) const
+  {
+    // Whether a multiple of the interval was passed since the last output, which may
+    // have been an additional one.
+    const double interval = parameters.output.field_interval;
+    const auto   count    = [&](const double t) { return std::floor(t / interval * (1 + 1e-9)); };
+    return interval == 0 || count(time) > count(last_field_time);
   }
 
   template <int dim>
@@ -180,7 +195,7 @@ namespace caudal
       statistics.set("velocity error", "m^2/s", velocity_error);
       statistics.set("pressure error", "Pa m", pressure_error);
     }
-    statistics.write_row();
+    run_on_all(system.space.get_communicator(), [&]() { statistics.write_row(); });
   }
 
   template <int dim>

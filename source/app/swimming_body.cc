@@ -267,6 +267,21 @@ namespace caudal
     muscle->accept_step();
   }
 
+  template <int dim>
+  void SwimmingBody<dim>::restore(const Vector<double>      &initial_positions,
+                                  const std::vector<double> &muscle_state)
+  {
+    AssertThrow(initial_positions == solid.initial_positions,
+                ExcMessage("Body " + get_name() +
+                           "/Shape: the checkpoint holds a body with another grid. Resume with "
+                           "the shape (and the mesh file) that wrote it."));
+    muscle->set_state(muscle_state);
+    new_positions     = solid.positions;
+    new_velocity      = solid.velocity;
+    new_force_density = solid.force_density;
+    deformation       = summarise_deformation(solid, solid.positions);
+  }
+
   template class SwimmingBody<2>;
   template class SwimmingBody<3>;
   template struct SwimmingBodyParameters<2>;

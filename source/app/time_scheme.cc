@@ -68,7 +68,7 @@ namespace caudal
                                                 const std::vector<Vector<double>> &predicted)
   {
     AssertThrow(std::isfinite(new_velocity.l2_norm()) && std::isfinite(new_pressure.l2_norm()),
-                ExcMessage("The velocity or the pressure is not finite."));
+                ExcNotFinite("The velocity or the pressure is"));
     const unsigned int   finest = system.lattice.get_finest_level();
     const Tensor<1, dim> h      = 0.5 * system.lattice.get_cell_size(finest);
     StepResult           result;
@@ -77,7 +77,7 @@ namespace caudal
     {
       SwimmingBody<dim> &body = *system.bodies[b];
       AssertThrow(std::isfinite(body.new_positions.l2_norm()),
-                  ExcMessage("The position of body " + body.get_name() + " is not finite."));
+                  ExcNotFinite("The position of body " + body.get_name() + " is"));
       body.deformation = summarise_deformation(body.solid, body.new_positions);
       for (const auto &node : body.solid.get_nodes())
         for (unsigned int d = 0; d < dim; ++d)

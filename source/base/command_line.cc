@@ -11,8 +11,8 @@ namespace caudal
     void choose(CommandLine &line, const CommandLine::Action action)
     {
       AssertThrow(line.action == CommandLine::Action::run || line.action == action,
-                  dealii::ExcMessage("Of --check, --help, --version and --print-parameters only "
-                                     "one can be given." +
+                  dealii::ExcMessage("Of --resume, --verify-restart, --check, --help, --version "
+                                     "and --print-parameters only one can be given." +
                                      remedy));
       line.action = action;
     }
@@ -37,6 +37,15 @@ namespace caudal
         choose(line, Action::version);
       else if (*argument == "--check")
         choose(line, Action::check);
+      else if (*argument == "--verify-restart")
+        choose(line, Action::verify_restart);
+      else if (*argument == "--resume")
+      {
+        choose(line, Action::resume);
+        AssertThrow(!is_last && next[0] != '-',
+                    ExcMessage("--resume is not followed by the folder of a run." + remedy));
+        line.folder = *++argument;
+      }
       else if (*argument == "--print-parameters")
       {
         choose(line, Action::print_parameters);
@@ -60,7 +69,11 @@ namespace caudal
       }
     }
 
-    const bool needs_file = line.action == Action::run || line.action == Action::check;
+    AssertThrow(line.action != Action::resume || line.file.empty(),
+                ExcMessage("--resume takes its parameters from the folder of the run; the file <" +
+                           line.file + "> is not needed. Change single ones by -D." + remedy));
+    const bool needs_file = line.action == Action::run || line.action == Action::check ||
+                            line.action == Action::verify_restart;
     AssertThrow(!needs_file || !line.file.empty(),
                 ExcMessage("There is no parameter file on the command line." + remedy));
     return line;
@@ -72,18 +85,26 @@ namespace caudal
            ": self-propelled swimming by finite elements and immersed boundaries.\n"
            "\n"
            "  caudal file.prm             run the case\n"
+           "  caudal --resume FOLDER      go on with the run whose results are in this folder, "
+           "from\n"
+           "                              its newest whole checkpoint\n"
            "  caudal --check file.prm     check the case and show its size, without running it\n"
            "  caudal --print-parameters [prm|md] [file.prm]\n"
            "                              show all parameters (those of the case) with their\n"
            "                              defaults, as a parameter file or as Markdown\n"
+           "  caudal --verify-restart file.prm\n"
+           "                              compare ten steps with five, a checkpoint and five "
+           "more,\n"
+           "                              bit by bit\n"
            "  caudal --version            show the version\n"
            "  caudal --help               show this\n"
            "\n"
            "  -D \"Section/Entry=value\"    set a parameter after reading the file; repeatable\n"
            "\n"
            "Several ranks: mpirun -np N caudal file.prm.\n"
-           "Exit codes: 0 finished, 1 error, 2 stopped on request, the\nlast state written as "
-           "fields.\n";
+           "Exit codes: 0 finished, 1 error, 2 stopped on request (SIGINT, SIGTERM, SIGUSR1) or "
+           "by\n"
+           "Checkpoint/Wall time limit, with a checkpoint to resume from.\n";
   }
 
   std::string get_version()

@@ -65,6 +65,16 @@ namespace caudal
 
     using Tree = boost::property_tree::ptree;
 
+    /** The only complete view of the declarations that ParameterHandler offers. */
+    Tree extract_tree(const ParameterHandler &prm)
+    {
+      std::stringstream json;
+      prm.print_parameters(json, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+      Tree tree;
+      boost::property_tree::read_json(json, tree);
+      return tree;
+    }
+
     DeclaredSection extract_section(const std::string &name, const Tree &tree)
     {
       DeclaredSection section{name, {}, {}};
@@ -77,6 +87,15 @@ namespace caudal
         else if (child.count("alias") == 0)
           section.sections.push_back(extract_section(child_name, child));
       return section;
+    }
+
+    void collect_values(const Tree &tree, const std::string &path, ParameterValues &values)
+    {
+      for (const auto &[name, child] : tree)
+        if (child.count("pattern_description") > 0)
+          values[path + name] = child.get<std::string>("value");
+        else if (child.count("alias") == 0)
+          collect_values(child, path + name + "/", values);
     }
 
     /** ParameterHandler's inner names separate sections by '.' and write ' ' as "_20". */
@@ -135,12 +154,14 @@ namespace caudal
 
   DeclaredSection extract_declared_parameters(const ParameterHandler &prm)
   {
-    // The only complete view of the declarations that ParameterHandler offers.
-    std::stringstream json;
-    prm.print_parameters(json, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
-    Tree tree;
-    boost::property_tree::read_json(json, tree);
-    return extract_section("", tree);
+    return extract_section("", extract_tree(prm));
+  }
+
+  ParameterValues extract_values(const ParameterHandler &prm)
+  {
+    ParameterValues values;
+    collect_values(extract_tree(prm), "", values);
+    return values;
   }
 
   std::vector<std::string> extract_missing_entries(const ParameterHandler &prm)

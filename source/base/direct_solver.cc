@@ -17,11 +17,13 @@ namespace caudal
 
   struct DirectSolver::Implementation
   {
-    Implementation(MPI_Comm communicator, const Symmetry symmetry)
+    Implementation(MPI_Comm communicator, const Symmetry symmetry, const bool on_root)
         : communicator(communicator)
+        , symmetry(symmetry)
+        , on_root(on_root)
         , rank(Utilities::MPI::this_mpi_process(communicator))
     {
-      data.comm_fortran = MPI_Comm_c2f(communicator);
+      data.comm_fortran = MPI_Comm_c2f(on_root ? MPI_COMM_SELF : communicator);
       data.sym          = symmetry == Symmetry::general ? 0 : 2;
       data.par          = 1;
       data.job          = job_initialise;
@@ -44,19 +46,48 @@ namespace caudal
       dmumps_c(&data);
     }
 
+    /** Lets MUMPS do its work; what it tells is the same on all ranks. */
+    void run(const int job)
+    {
+      data.job = job;
+      if (!on_root || rank == 0)
+        dmumps_c(&data);
+      if (on_root)
+      {
+        MPI_Bcast(data.infog, std::size(data.infog), MPI_INT, 0, communicator);
+        MPI_Bcast(data.rinfog, std::size(data.rinfog), MPI_DOUBLE, 0, communicator);
+      }
+    }
+
+    /** Moves all ranks' entries to rank 0, one rank after the other. */
+    void collect(Triplets &entries) const
+    {
+      const auto collect_one = [&](auto &part) {
+        const auto parts = Utilities::MPI::gather(communicator, part);
+        part.clear();
+        for (const auto &one : parts)
+          part.insert(part.end(), one.begin(), one.end());
+      };
+      collect_one(entries.rows);
+      collect_one(entries.columns);
+      collect_one(entries.values);
+    }
+
     void set_control(const int number, const int value)
     {
       data.icntl[number - 1] = value;
     }
 
     MPI_Comm           communicator;
+    const Symmetry     symmetry;
+    const bool         on_root;
     const unsigned int rank;
     DMUMPS_STRUC_C     data{};
     bool               factorized = false;
   };
 
-  DirectSolver::DirectSolver(MPI_Comm communicator, const Symmetry symmetry)
-      : mumps(std::make_unique<Implementation>(communicator, symmetry))
+  DirectSolver::DirectSolver(MPI_Comm communicator, const Symmetry symmetry, const bool on_root)
+      : mumps(std::make_unique<Implementation>(communicator, symmetry, on_root))
   {}
 
   DirectSolver::~DirectSolver() = default;
@@ -67,6 +98,8 @@ namespace caudal
     for (std::size_t k = 0; k < entries.values.size(); ++k)
       if (mumps->data.sym == 0 || entries.rows[k] <= entries.columns[k])
         kept.add(entries.rows[k] + 1, entries.columns[k] + 1, entries.values[k]);
+    if (mumps->on_root)
+      mumps->collect(kept);
 
     DMUMPS_STRUC_C &data = mumps->data;
     data.n               = n;
@@ -83,8 +116,7 @@ namespace caudal
     for (const int extra_space : {30, 100, 300})
     {
       mumps->set_control(14, extra_space);
-      data.job = job_analyse_factorise;
-      dmumps_c(&data);
+      mumps->run(job_analyse_factorise);
       if (data.infog[0] != -8 && data.infog[0] != -9)
         break;
     }
@@ -124,8 +156,7 @@ namespace caudal
     mumps->data.rhs  = everything.data();
     mumps->data.nrhs = 1;
     mumps->data.lrhs = vector.size();
-    mumps->data.job  = job_solve;
-    dmumps_c(&mumps->data);
+    mumps->run(job_solve);
     AssertThrow(mumps->data.infog[0] >= 0,
                 ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
                            std::to_string(mumps->data.infog[0]) + "."));
@@ -141,9 +172,19 @@ namespace caudal
     return entries < 0 ? -1e6 * entries : entries;
   }
 
+  double DirectSolver::get_factorisation_cost() const
+  {
+    return mumps->data.rinfog[2] / get_factor_entries();
+  }
+
   bool DirectSolver::is_factorized() const
   {
     return mumps->factorized;
+  }
+
+  void DirectSolver::reset()
+  {
+    mumps = std::make_unique<Implementation>(mumps->communicator, mumps->symmetry, mumps->on_root);
   }
 
   void DirectSolver::clear()

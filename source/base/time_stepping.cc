@@ -103,9 +103,22 @@ namespace caudal
       regular_step =
           std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
     }
+    choose_step();
+  }
+
+  void TimeStepper::resume()
+  {
+    n_retries = 0;
+    if (!parameters.adaptive)
+      regular_step = parameters.step;
+    choose_step();
+  }
+
+  void TimeStepper::choose_step()
+  {
     // After a rejection the step grows back to its regular size gently: BDF2
     // with variable step is stable up to a ratio of 1 + sqrt(2).
-    step = std::min(regular_step, 1.5 * previous_step);
+    step = previous_step == 0 ? regular_step : std::min(regular_step, 1.5 * previous_step);
     limit_to_end();
   }
 

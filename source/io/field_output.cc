@@ -1,5 +1,6 @@
 #include <caudal/io/field_output.h>
 #include <caudal/io/on_root.h>
+#include <caudal/io/safe_file.h>
 
 #include <deal.II/grid/reference_cell.h>
 
@@ -19,6 +20,28 @@ namespace caudal
     const std::string entry_begins = "<!-- entry ";
     const std::string entry_ends   = "<!-- end -->";
 
+    /**
+     * Puts the pieces of all ranks into the frame of rank 0's. MPI's own parallel output
+     * does not tell when the disk is full.
+     */
+    std::string join_pieces(const std::string &text, const MPI_Comm communicator)
+    {
+      const std::string begins = "<Piece", ends = "</Piece>\n";
+      const auto        get_begin = [&](const std::string &t) { return t.find(begins); };
+      const auto        get_end = [&](const std::string &t) { return t.rfind(ends) + ends.size(); };
+      // A rank without cells has no piece.
+      const std::vector<std::string> texts = Utilities::MPI::gather(communicator, text);
+      std::string                    pieces, before, after;
+      for (const std::string &one : texts)
+        if (get_begin(one) != std::string::npos)
+        {
+          before = before.empty() ? one.substr(0, get_begin(one)) : before;
+          after  = one.substr(get_end(one));
+          pieces += one.substr(get_begin(one), get_end(one) - get_begin(one));
+        }
+      return before + pieces + after;
+    }
+
     /** Writes the data and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const std::string &folder,
@@ -31,7 +54,10 @@ namespace caudal
       flags.print_date_and_time = false; // equal runs give equal files
       flags.compression_level   = DataOutBase::VtkFlags::best_speed;
       data_out.set_flags(flags);
-      data_out.write_vtu_in_parallel(folder + "/" + file, communicator);
+      std::ostringstream text;
+      data_out.write_vtu(text);
+      const std::string all = join_pieces(text.str(), communicator);
+      run_on_root(communicator, [&]() { write_whole_file(folder + "/" + file, all); });
 
       std::ostringstream entry;
       entry.precision(12);
@@ -101,7 +127,10 @@ namespace caudal
   {
     run_on_root(communicator, [&]() {
       std::filesystem::create_directories(folder + "/fields");
+      if (resume_time < 0)
+        return;
       read_list(resume_time);
+      write_list();
     });
   }
 
@@ -118,10 +147,22 @@ namespace caudal
                ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
                : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
     };
-    if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
-      run_on_root(communicator, write_data);
-    else
-      write_data();
+    try
+    {
+      if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
+        run_on_root(communicator, write_data);
+      else
+        run_on_all(communicator, write_data);
+    }
+    catch (const ExceptionBase &exception)
+    {
+      std::ostringstream reason;
+      exception.print_info(reason);
+      AssertThrow(
+          false,
+          ExcMessage("The fields can't be written any more: " + Utilities::trim(reason.str()) +
+                     ". Make room or give access, then go on by caudal --resume " + folder + "."));
+    }
 
     run_on_root(communicator, [&]() {
       series[time][name] = entry;
@@ -178,7 +219,8 @@ namespace caudal
     }
     out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
     out.close();
-    AssertThrow(out, ExcMessage("The list of fields <" + temporary + "> can't be written."));
+    AssertThrow(out, ExcMessage("The list of fields <" + temporary +
+                                "> can't be written. Is the disk full?"));
     std::filesystem::rename(temporary, get_list_name());
   }
 

@@ -1,8 +1,11 @@
 #include <caudal/io/statistics.h>
 
+#include <caudal/io/safe_file.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 using namespace dealii;
@@ -15,42 +18,45 @@ namespace caudal
     const unsigned int width    = n_digits + 8;
   } // namespace
 
-  Statistics::Statistics(const std::string &file)
+  Statistics::Statistics(const std::string &file, const double kept_time)
       : file_name(file)
   {
-    open("");
+    open(kept_time < 0 ? "" : read_rows(kept_time));
   }
 
-  Statistics::Statistics(const std::string &file, const double time)
-      : file_name(file)
+  std::string Statistics::read_rows(const double time)
   {
-    std::string rows;
-    read_rows(time, rows);
-    open(rows);
-  }
-
-  void Statistics::read_rows(const double time, std::string &rows)
-  {
-    // A row counts as one up to the time even if its ten digits round it up.
+    // A row counts as one up to the time even if its ten digits round it up. The last
+    // row may have been cut off.
     const double  latest = time + 1e-9 * std::abs(time);
     std::ifstream old(file_name);
-    for (std::string line; std::getline(old, line);)
+    std::string   rows;
+    for (std::string line; std::getline(old, line) && !old.eof();)
     {
-      if (line.rfind("# ", 0) == 0)
+      if (line.rfind("# ", 0) == 0 && line.find(": ") != std::string::npos)
         columns.push_back({line.substr(line.find(": ") + 2), 0., false});
-      else if (!(std::stod(line) <= latest))
-        break;
+      else
+      {
+        std::istringstream        numbers(line);
+        const std::vector<double> row{std::istream_iterator<double>(numbers), {}};
+        if (row.size() != columns.size() || row.empty() || !(row[0] <= latest))
+          break;
+      }
       rows += line + "\n";
     }
     columns_are_fixed = !columns.empty();
+    return rows;
   }
 
   void Statistics::open(const std::string &text)
   {
     if (file_name.empty())
       return;
-    file.open(file_name);
-    file << text << std::flush << std::scientific << std::setprecision(n_digits - 1);
+    // A file that is kept stays whole whenever the program ends.
+    if (!text.empty())
+      replace_file(file_name, text);
+    file.open(file_name, text.empty() ? std::ios::trunc : std::ios::app);
+    file << std::flush << std::scientific << std::setprecision(n_digits - 1);
     AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
   }
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 using namespace dealii;
@@ -131,18 +132,33 @@ namespace caudal
                   beats.size());
   }
 
+  void SwimReport::resume() const
+  {
+    if (!beats.empty() || file.empty())
+    {
+      write_files();
+      return;
+    }
+    std::filesystem::remove(file);
+    std::filesystem::remove(get_json_file());
+  }
+
+  std::string SwimReport::get_json_file() const
+  {
+    return file.substr(0, file.rfind('.')) + ".json";
+  }
+
   void SwimReport::write_files() const
   {
     if (file.empty())
       return;
     std::ofstream out(file);
     write_swim_table(out, swimmer, beats);
-    AssertThrow(out.flush(),
-                ExcMessage("The table of tail beats <" + file + "> can't be written."));
-    const std::string json_file = file.substr(0, file.rfind('.')) + ".json";
-    std::ofstream     json(json_file);
+    AssertThrow(out.flush(), ExcMessage("The table of tail beats <" + file +
+                                        "> can't be written. Is the disk full?"));
+    std::ofstream json(get_json_file());
     write_swim_json(json, swimmer, beats, count_steady_beats());
-    AssertThrow(json.flush(),
-                ExcMessage("The table of tail beats <" + json_file + "> can't be written."));
+    AssertThrow(json.flush(), ExcMessage("The table of tail beats <" + get_json_file() +
+                                         "> can't be written. Is the disk full?"));
   }
 } // namespace caudal

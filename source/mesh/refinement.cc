@@ -30,9 +30,9 @@ namespace caudal
   void RefinementParameters::check(const unsigned int levels) const
   {
     AssertThrow(interval >= 1, ExcMessage("Refinement/Interval: 0 steps. Give 1 or more."));
-    AssertThrow(std::isfinite(body_margin) && body_margin >= 0,
+    AssertThrow(body_margin >= 0 && body_margin <= 100,
                 ExcMessage("Refinement/Body margin: " + std::to_string(body_margin) +
-                           " cells. Give 0 or more."));
+                           " cells. Give 0 to 100."));
     AssertThrow(
         std::isfinite(vorticity_threshold) && vorticity_threshold >= 0,
         ExcMessage("Refinement/Vorticity threshold: " + std::to_string(vorticity_threshold) +

@@ -38,9 +38,12 @@ fail() {
   shift
   "$CAUDAL" base.prm "$@" >printed 2>errors
   code=$?
-  sed 's/([-+0-9.e ]*)/(...)/; s/determinant [-0-9.e]*/determinant .../; s/residual [-0-9.e+]*/residual .../
-       s/down to [0-9.e-]* s/down to ... s/; s/^/    /' errors
+  sed 's/([-0-9.e+ ]*)/(...)/g; s/determinant [-0-9.e]*/determinant .../; s/residual [-0-9.e+]*/residual .../
+       s/down to [0-9.e-]* s/down to ... s/; s/[-0-9.e+]* m.s, is in/... m\/s, is in/; s/J, [-0-9.e+]*,/J, ...,/g
+       s/step [-0-9.e+]* in element/step ... in element/; s/element [0-9][0-9]*/element .../g
+       s/[-0-9.e+]* m from it/... m from it/g; s/^/    /' errors
   echo "    exit code $code"
+  ls results/restart/step-*/state >/dev/null && echo "    a checkpoint"
   grep -o "The last good state.* is written" results/log.txt | sed 's/t = [^ ]*/t = .../; s/^/    /'
   for name in fluid disc; do
     n=$(grep -c "<DataSet.*name=\"$name\"" results/solution.pvd)

@@ -10,6 +10,8 @@
 
 namespace caudal
 {
+  DeclException1(ExcNotFinite, std::string, << arg1 << " not finite.");
+
   /** Section `Solver`. */
   struct SolverParameters
   {
@@ -17,6 +19,7 @@ namespace caudal
     unsigned int largest_number_of_iterations = 40;
     double       augmentation                 = 1e3;
     std::string  reuse                        = "automatic";
+    bool         reproducible                 = false;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -75,6 +78,9 @@ namespace caudal
     /** Forgets the factorisation, after a change of the grid. */
     void reinit();
 
+    /** Forgets also what was learnt: the coming steps do not depend on those before. */
+    void forget_history();
+
     /**
      * Solves for the corrections. @p momentum_residual (r_u) becomes du,
      * @p divergence (r_p) becomes dq, the right hand sides of the @p bodies
@@ -104,14 +110,15 @@ namespace caudal
     TimerOutput                 &timer;
     DirectSolver                 direct_solver;
 
-    // What decides whether a factorisation is reused (wall time, s).
-    double       factorisation_time = 0, iteration_time = 0;
+    // What decides whether a factorisation is reused.
     unsigned int exact_iterations = 0, n_factorisations = 0;
     unsigned int steps_until_reuse = 0, reuse_pause = 1;
     double       last_residual = 0;
 
     bool should_factorise(bool matrix_changed) const;
-    void factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
+    /** Iterations with an old factorisation that cost as much as a new one. */
+    unsigned int count_affordable_iterations() const;
+    void         factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
 
     /** FGMRES; more than @p n_affordable iterations are returned if these did not do. */
     unsigned int iterate(BlockFieldVector &solution, const BlockFieldVector &rhs,

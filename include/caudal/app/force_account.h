@@ -6,6 +6,10 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <boost/serialization/deque.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <deque>
 #include <optional>
 
@@ -20,6 +24,12 @@ namespace caudal
 
     /** Of first order from two samples, zero from one. */
     Tensor<1, dim> get_derivative() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &samples;
+    }
 
   private:
     std::deque<std::pair<double, Tensor<1, dim>>> samples;
@@ -45,6 +55,13 @@ namespace caudal
 
     void set_body_statistics(unsigned int body, Statistics &statistics) const;
     void set_control_volume_statistics(Statistics &statistics) const;
+
+    /** What later forces depend on. */
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &flow_momentum &body_momenta;
+    }
 
   private:
     ImmersedSystem<dim>                  system;

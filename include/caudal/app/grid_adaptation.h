@@ -36,6 +36,9 @@ namespace caudal
 
     AdaptationReport adapt(double time, double step);
 
+    /** What follows from the grid alone, after each change of it. */
+    void set_up_operators();
+
   private:
     parallel::distributed::Triangulation<dim> &triangulation;
     FluidSpace<dim>                           &space;
@@ -46,7 +49,6 @@ namespace caudal
     bool         set_flags(const CellSet<dim> &body_cells) const;
     void         transfer(double time);
     void         project(FieldVector &velocity, double step);
-    void         set_up_operators();
   };
 } // namespace caudal
 

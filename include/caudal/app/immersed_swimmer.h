@@ -1,7 +1,9 @@
 #ifndef caudal_app_immersed_swimmer_h
 #define caudal_app_immersed_swimmer_h
 
-#include <caudal/app/grid_adaptation.h>
+#include <caudal/app/checkpoints.h>
+#include <caudal/app/failure_report.h>
+#include <caudal/app/guards.h>
 #include <caudal/app/outcome.h>
 #include <caudal/app/parameters.h>
 #include <caudal/app/run_output.h>
@@ -21,7 +23,13 @@ namespace caudal
     /** Cells, unknowns and sizes, with warnings about what is likely to go wrong. */
     void print_summary(std::ostream &out) const;
 
-    /** Runs to the end time, or until @p stop_requested says so. */
+    /** The values of all parameters, which checkpoints keep to be compared. */
+    void set_parameter_values(const ParameterValues &values);
+
+    /** run() is to go on from this state. */
+    void resume_from(RunState state);
+
+    /** Runs to the end time, or until @p stop_requested or the wall time says so. */
     Outcome run(const OutputFolder &folder, Log &log, const std::function<bool()> &stop_requested);
 
   private:
@@ -40,6 +48,10 @@ namespace caudal
     const ImmersedSystem<dim>                       system;
     GridAdaptation<dim>                             adaptation;
     std::unique_ptr<TimeScheme<dim>>                scheme;
+    Checkpoints<dim>                                checkpoints;
+    Guards<dim>                                     guards;
+    ParameterValues                                 parameter_values;
+    std::optional<RunState>                         resumed;
 
     void             print_costs(unsigned int n_steps, std::ostream &out) const;
     BoundingBox<dim> get_domain() const;
@@ -48,8 +60,11 @@ namespace caudal
     void             start_bodies();
     void             adapt_grid(const TimeStepper &stepper, Log &log);
     StepResult       advance(TimeStepper &stepper, Log &log);
-    void             run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
-                                const std::function<bool()> &stop_requested);
+    void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);
+    bool is_out_of_time() const;
+    void write_last_state(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
+    void run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
+                    const std::function<bool()> &stop_requested);
   };
 } // namespace caudal
 

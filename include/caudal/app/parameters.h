@@ -1,9 +1,11 @@
 #ifndef caudal_app_parameters_h
 #define caudal_app_parameters_h
 
+#include <caudal/app/guard_parameters.h>
 #include <caudal/app/swimming_body.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/time_stepping.h>
+#include <caudal/io/checkpoint_folder.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
 
@@ -24,6 +26,8 @@ namespace caudal
     RefinementParameters                                      refinement;
     SolverParameters                                          solver;
     OutputParameters                                          output;
+    CheckpointParameters                                      checkpoint;
+    GuardParameters                                           guards;
     std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
 
     /**

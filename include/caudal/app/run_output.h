@@ -9,15 +9,24 @@
 #include <caudal/io/statistics.h>
 #include <caudal/io/swim_report.h>
 
+#include <optional>
+
 namespace caudal
 {
+  /** Until when a resumed run keeps what was written before [s]. */
+  struct KeptResults
+  {
+    double until  = -1;
+    double fields = -1;
+  };
+
   /** Writes what a run finds: fields, statistics.txt and the tables of tail beats. */
   template <int dim>
   class RunOutput
   {
   public:
     RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
-              const OutputFolder &folder, Log &log);
+              const OutputFolder &folder, Log &log, const std::optional<KeptResults> &kept = {});
 
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
     void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
@@ -26,6 +35,34 @@ namespace caudal
     void write_fields(double time);
 
     void finish();
+
+    const EnergyLedger &get_ledger() const
+    {
+      return ledger;
+    }
+    const EnergyLedger &get_initial_ledger() const
+    {
+      return initial_ledger;
+    }
+    double get_last_field_time() const
+    {
+      return last_field_time;
+    }
+
+    /** What later reports depend on. */
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &ledger &initial_ledger &body_impulses                         &forces;
+      archive &last_dissipation &last_numerical_dissipation &n_field_outputs &last_field_time;
+      for (const auto &report : swim_reports)
+        if (report)
+        {
+          archive &*report;
+          if (Archive::is_loading::value)
+            report->resume();
+        }
+    }
 
     double get_largest_velocity() const
     {
@@ -50,6 +87,7 @@ namespace caudal
 
     SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
     void             update_ledger(double step);
+    bool             fields_are_due(double time) const;
     void             report_swimming(double time, double step);
     void             write_statistics(const TimeStepper &stepper, const StepResult &result,
                                       unsigned int n_cells);

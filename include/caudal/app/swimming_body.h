@@ -7,6 +7,8 @@
 #include <caudal/swimmer/gait.h>
 #include <caudal/swimmer/muscle.h>
 
+#include <boost/serialization/vector.hpp>
+
 namespace caudal
 {
   /** A section `Body <name>`: the solid and what moves it. */
@@ -104,6 +106,19 @@ namespace caudal
       return length;
     }
 
+    /** What the next step and the reports depend on; reading back another body's state throws. */
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      Vector<double>              initial_positions = solid.initial_positions;
+      std::vector<double>         muscle_state      = muscle->get_state();
+      archive &initial_positions &solid.positions &solid.old_positions &solid.velocity;
+      archive &solid.old_velocity &solid.force_density  &elastic_system.active_force;
+      archive &muscle_work &feedback_work &muscle_power &muscle_state;
+      if (Archive::is_loading::value)
+        restore(initial_positions, muscle_state);
+    }
+
     SolidBody<dim>           solid;
     InteractionOperator<dim> interaction;
     ElasticSystem            elastic_system;
@@ -129,6 +144,7 @@ namespace caudal
     unsigned int                       lateral_point = 0;
 
     SwimmerState get_swimmer_state(double time, double step) const;
+    void restore(const Vector<double> &initial_positions, const std::vector<double> &muscle_state);
   };
 } // namespace caudal
 

@@ -12,6 +12,8 @@ namespace caudal
     enum class Action
     {
       run,
+      resume,
+      verify_restart,
       check,
       help,
       version,
@@ -20,6 +22,7 @@ namespace caudal
 
     Action                   action = Action::run;
     std::string              file;           // empty if the action needs none
+    std::string              folder;         // of the run to resume
     std::vector<std::string> overrides;      // "Section/Entry=value"
     std::string              format = "prm"; // of print_parameters: "prm" or "md"
   };

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -33,6 +34,11 @@ namespace caudal
     /** The section of that name, or nullptr. */
     const DeclaredSection *find_section(const std::string &name) const;
   };
+
+  /** The values of all entries, by "Section/Entry". */
+  using ParameterValues = std::map<std::string, std::string>;
+
+  ParameterValues extract_values(const ParameterHandler &prm);
 
   /** Everything that was declared, as the nameless section around it. */
   DeclaredSection extract_declared_parameters(const ParameterHandler &prm);

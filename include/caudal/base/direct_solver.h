@@ -24,7 +24,12 @@ namespace caudal
       symmetric
     };
 
-    explicit DirectSolver(MPI_Comm communicator, Symmetry symmetry = Symmetry::general);
+    /**
+     * @p on_root: rank 0 factorises the matrix of all ranks alone. Several ranks add up in
+     * the order in which their messages arrive, so that round-off differs from run to run.
+     */
+    explicit DirectSolver(MPI_Comm communicator, Symmetry symmetry = Symmetry::general,
+                          bool on_root = false);
     ~DirectSolver();
 
     /**
@@ -44,6 +49,15 @@ namespace caudal
 
     /** Forgets the factors. */
     void clear();
+
+    /** Forgets everything: what is solved next does not depend on what was before. */
+    void reset();
+
+    /**
+     * What a factorisation costs, in units of a solution: estimated by the operations and
+     * entries of the factors, so that equal matrices give equal numbers.
+     */
+    double get_factorisation_cost() const;
 
   private:
     struct Implementation;

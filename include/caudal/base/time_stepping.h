@@ -89,6 +89,15 @@ namespace caudal
     /** The step failed because of @p reason: halves it; throws after too many of them. */
     void reject(const std::string &reason);
 
+    /** After the state was read back: chooses the coming step as accept() did. */
+    void resume();
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &time &regular_step &previous_step &step_number;
+    }
+
   private:
     const TimeParameters &parameters;
     double                time          = 0;
@@ -98,6 +107,7 @@ namespace caudal
     unsigned int          step_number   = 0;
     unsigned int          n_retries     = 0;
 
+    void choose_step();
     void limit_to_end();
   };
 } // namespace caudal

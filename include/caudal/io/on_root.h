@@ -11,6 +11,27 @@
 
 namespace caudal
 {
+  /** Runs @p action; what it throws is returned as a sentence. */
+  template <typename Action>
+  std::string catch_error(const Action &action)
+  {
+    try
+    {
+      action();
+    }
+    catch (dealii::ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      return dealii::Utilities::trim(text.str());
+    }
+    catch (std::exception &exception)
+    {
+      return exception.what();
+    }
+    return "";
+  }
+
   /**
    * Runs @p action on rank 0 of @p communicator only. If it throws, every rank
    * throws the same sentence, so that no rank waits for another one in vain.
@@ -21,22 +42,22 @@ namespace caudal
   {
     std::string error;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      try
-      {
-        action();
-      }
-      catch (dealii::ExceptionBase &exception)
-      {
-        std::ostringstream text;
-        exception.print_info(text);
-        error = dealii::Utilities::trim(text.str());
-      }
-      catch (std::exception &exception)
-      {
-        error = exception.what();
-      }
+      error = catch_error(action);
     error = dealii::Utilities::MPI::broadcast(communicator, error);
     AssertThrow(error.empty(), dealii::ExcMessage(error));
+  }
+
+  /** Runs @p action on all ranks; what the first of them throws, all throw. Collective. */
+  template <typename Action>
+  void run_on_all(const MPI_Comm communicator, const Action &action)
+  {
+    const std::string  error = catch_error(action);
+    const unsigned int rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int none  = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int first =
+        dealii::Utilities::MPI::min(error.empty() ? none : rank, communicator);
+    AssertThrow(first == none,
+                dealii::ExcMessage(dealii::Utilities::MPI::broadcast(communicator, error, first)));
   }
 } // namespace caudal
 

@@ -24,11 +24,11 @@ namespace caudal
                    << "The statistics' column <" << arg1
                    << "> is missing in this row, is set twice in it, or was not in the first row.");
 
-    /** Empties @p file. Without a name (on all ranks but 0) nothing is written. */
-    explicit Statistics(const std::string &file);
-
-    /** Keeps the rows of an earlier run up to @p time [s]; new ones are appended. */
-    Statistics(const std::string &file, double time);
+    /**
+     * Empties @p file, or keeps the rows of an earlier run up to the time @p kept_time [s]
+     * to append new ones. Without a name (on all ranks but 0) nothing is written.
+     */
+    explicit Statistics(const std::string &file, double kept_time = -1);
 
     /** The value of a quantity in the coming row. A value that is not finite throws. */
     void set(const std::string &name, const std::string &unit, double value);
@@ -43,9 +43,9 @@ namespace caudal
       bool        is_set;
     };
 
-    void read_rows(double time, std::string &rows);
-    void open(const std::string &text);
-    void write_headers();
+    std::string read_rows(double time);
+    void        open(const std::string &text);
+    void        write_headers();
 
     const std::string   file_name;
     std::ofstream       file;

@@ -68,6 +68,9 @@ namespace caudal
     /** Writes the mean of the steady beats at the end, or else the last beat, to the log. */
     void finish();
 
+    /** After the state was read back: removes later beats from the file. */
+    void resume() const;
+
     const std::vector<TailBeat> &get_beats() const
     {
       return beats;
@@ -81,6 +84,7 @@ namespace caudal
 
   private:
     void        write_files() const;
+    std::string get_json_file() const;
     std::size_t count_steady_beats() const;
 
     const SwimmerConstants  swimmer;

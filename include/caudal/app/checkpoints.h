@@ -1,0 +1,63 @@
+#ifndef caudal_app_checkpoints_h
+#define caudal_app_checkpoints_h
+
+#include <caudal/app/grid_adaptation.h>
+#include <caudal/app/run_output.h>
+#include <caudal/app/run_state.h>
+
+namespace caudal
+{
+  /**
+   * Writes the checkpoints of a run and brings it back to one.
+   *
+   * A run that goes on after a checkpoint goes on from what it has written, as
+   * a resumed one does: the grid is built anew, with its own order of cells,
+   * unknowns and ranks, and factorisations are forgotten. So both give the same
+   * bits, and a checkpoint changes the results no more than the solver's
+   * tolerance does.
+   */
+  template <int dim>
+  class Checkpoints
+  {
+  public:
+    Checkpoints(const RunParameters<dim>                  &parameters,
+                parallel::distributed::Triangulation<dim> &triangulation, FluidSpace<dim> &space,
+                GridAdaptation<dim> &adaptation, const ImmersedSystem<dim> &system);
+
+    /** @p values of the run's parameters, which each checkpoint holds. */
+    void start(const OutputFolder &folder, const ParameterValues &values, TimeStepper &stepper,
+               RunOutput<dim> &output);
+
+    /** Whether the steps or the wall time ask for a checkpoint. Collective. */
+    bool is_due() const;
+
+    /** Writes one, unless there is one of this step; @p goes_on: whether the run does. */
+    void write(bool goes_on);
+
+    /** Brings fluid, bodies, stepper and output to the @p state. */
+    void restore(const RunState &state);
+
+    unsigned int get_number() const
+    {
+      return n_written;
+    }
+
+  private:
+    const RunParameters<dim>                  &parameters;
+    parallel::distributed::Triangulation<dim> &triangulation;
+    FluidSpace<dim>                           &space;
+    GridAdaptation<dim>                       &adaptation;
+    ImmersedSystem<dim>                        system;
+    MPI_Comm                                   communicator;
+    std::unique_ptr<CheckpointFolder>          folder;
+    ParameterValues                            values;
+    TimeStepper                               *stepper = nullptr;
+    RunOutput<dim>                            *output  = nullptr;
+    Timer                                      clock; // since the last one
+    unsigned int                               n_written = 0, last_step = 0;
+
+    RunState take_state() const;
+  };
+} // namespace caudal
+
+#endif

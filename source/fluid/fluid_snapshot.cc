@@ -1,0 +1,157 @@
+#include <caudal/fluid/fluid_snapshot.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <map>
+
+namespace caudal
+{
+  namespace
+  {
+    using Key = CellId::binary_type;
+
+    constexpr unsigned int key_size = std::tuple_size<Key>::value;
+
+    /** The places of the snapshot's cells in it. */
+    std::map<Key, std::size_t> make_index(const FluidSnapshot &snapshot)
+    {
+      std::map<Key, std::size_t> index;
+      for (std::size_t cell = 0; cell < snapshot.cells.size() / key_size; ++cell)
+      {
+        Key key;
+        std::copy_n(snapshot.cells.begin() + cell * key_size, key_size, key.begin());
+        index[key] = cell;
+      }
+      return index;
+    }
+
+    /** The same cell with the unknowns of @p dofs. */
+    template <int dim>
+    typename DoFHandler<dim>::active_cell_iterator
+    get_cell_of(const DoFHandler<dim>                                   &dofs,
+                const typename Triangulation<dim>::active_cell_iterator &cell)
+    {
+      return {&dofs.get_triangulation(), cell->level(), cell->index(), &dofs};
+    }
+
+    /** Appends the cell's values of @p field. */
+    template <class Cell>
+    void append_values(const Cell &cell, const FieldVector &field, std::vector<double> &values)
+    {
+      std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(dofs);
+      for (const auto dof : dofs)
+        values.push_back(field(dof));
+    }
+
+    /** Sets the cell's values of @p field on this rank from @p value on, which moves on. */
+    template <class Cell>
+    void set_values(const Cell &cell, FieldVector &field,
+                    std::vector<double>::const_iterator &value)
+    {
+      std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(dofs);
+      for (const auto dof : dofs)
+      {
+        if (field.in_local_range(dof))
+          field(dof) = *value;
+        ++value;
+      }
+    }
+
+    template <class Number>
+    std::vector<Number> gather_on_root(const std::vector<Number> &part, const MPI_Comm communicator)
+    {
+      std::vector<Number> all;
+      for (const auto &one : Utilities::MPI::gather(communicator, part))
+        all.insert(all.end(), one.begin(), one.end());
+      return all;
+    }
+
+    template <int dim>
+    unsigned int n_values_per_cell(const FluidSpace<dim> &space)
+    {
+      return 2 * space.velocity_element.n_dofs_per_cell() +
+             space.pressure_element.n_dofs_per_cell();
+    }
+
+    void check_fit(const bool fits)
+    {
+      AssertThrow(fits,
+                  ExcMessage("The checkpoint holds the fluid on another grid. Resume with the "
+                             "Domain that wrote it."));
+    }
+  } // namespace
+
+  template <int dim>
+  FluidSnapshot take_snapshot(const FluidSpace<dim> &space, const FluidState<dim> &state)
+  {
+    FluidSnapshot snapshot;
+    for (const auto &cell : space.get_triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        const Key key = cell->id().template to_binary<dim>();
+        snapshot.cells.insert(snapshot.cells.end(), key.begin(), key.end());
+        const auto velocity = get_cell_of(space.velocity_dofs, cell);
+        append_values(velocity, state.velocity, snapshot.values);
+        append_values(velocity, state.old_velocity, snapshot.values);
+        append_values(get_cell_of(space.pressure_dofs, cell), state.pressure, snapshot.values);
+      }
+    snapshot.cells  = gather_on_root(snapshot.cells, space.get_communicator());
+    snapshot.values = gather_on_root(snapshot.values, space.get_communicator());
+    return snapshot;
+  }
+
+  template <int dim>
+  void restore_grid(const FluidSnapshot &snapshot, const DomainParameters<dim> &domain,
+                    parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    const auto index = make_index(snapshot);
+    triangulation.clear();
+    make_domain(triangulation, domain);
+    for (unsigned int level = 0;; ++level)
+    {
+      int refines = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && index.count(cell->id().template to_binary<dim>()) == 0)
+        {
+          cell->set_refine_flag();
+          refines = 1;
+        }
+      if (Utilities::MPI::max(refines, triangulation.get_communicator()) == 0)
+        break;
+      check_fit(level + 1 < domain.levels);
+      triangulation.execute_coarsening_and_refinement();
+    }
+    check_fit(triangulation.n_global_active_cells() == index.size());
+  }
+
+  template <int dim>
+  void restore_fields(const FluidSnapshot &snapshot, const FluidSpace<dim> &space,
+                      FluidState<dim> &state)
+  {
+    const auto         index  = make_index(snapshot);
+    const unsigned int stride = n_values_per_cell(space);
+    check_fit(snapshot.values.size() == index.size() * stride);
+    state.reinit(space);
+    for (const auto &cell : space.get_triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        auto value =
+            snapshot.values.begin() + index.at(cell->id().template to_binary<dim>()) * stride;
+        const auto velocity = get_cell_of(space.velocity_dofs, cell);
+        set_values(velocity, state.velocity, value);
+        set_values(velocity, state.old_velocity, value);
+        set_values(get_cell_of(space.pressure_dofs, cell), state.pressure, value);
+      }
+    state.update_ghost_values();
+  }
+
+#define INSTANTIATE(dim)                                                                           \
+  template FluidSnapshot take_snapshot(const FluidSpace<dim> &, const FluidState<dim> &);          \
+  template void          restore_grid(const FluidSnapshot &, const DomainParameters<dim> &,        \
+                                      parallel::distributed::Triangulation<dim> &);                \
+  template void restore_fields(const FluidSnapshot &, const FluidSpace<dim> &, FluidState<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+} // namespace caudal

@@ -1,0 +1,239 @@
+#include <caudal/io/checkpoint_folder.h>
+
+#include <caudal/io/on_root.h>
+#include <caudal/io/safe_file.h>
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const std::string title  = "Checkpoint of a run of Caudal, format 1";
+    const std::string prefix = "step-";
+
+    std::string compute_checksum(const std::string &text)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(text.data(), text.size());
+      std::ostringstream result;
+      result << std::hex << std::setw(8) << std::setfill('0') << crc.checksum();
+      return result.str();
+    }
+
+    /** The step of a slot's folder; a name that is none gives -1. */
+    long get_step(const fs::path &path)
+    {
+      const std::string name = path.filename().string();
+      if (name.rfind(prefix, 0) != 0 || name.size() != prefix.size() + 8 ||
+          name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)
+        return -1;
+      return std::stol(name.substr(prefix.size()));
+    }
+
+    std::string get_slot_name(const unsigned int step)
+    {
+      return prefix + Utilities::int_to_string(step, 8);
+    }
+
+    /** The slots by their steps, the newest first. */
+    std::vector<fs::path> find_slots(const fs::path &folder)
+    {
+      std::vector<fs::path> slots;
+      if (fs::is_directory(folder))
+        for (const auto &entry : fs::directory_iterator(folder))
+          if (entry.is_directory() && get_step(entry.path()) >= 0)
+            slots.push_back(entry.path());
+      std::sort(slots.begin(), slots.end(),
+                [](const fs::path &a, const fs::path &b) { return get_step(a) > get_step(b); });
+      return slots;
+    }
+
+    std::string make_manifest(const std::string &data, const unsigned int step, const double time)
+    {
+      std::ostringstream text;
+      text << title << "\nstep " << step << "\ntime " << std::setprecision(17) << time
+           << " s\nstate " << data.size() << ' ' << compute_checksum(data) << '\n';
+      return text.str() + "manifest " + compute_checksum(text.str()) + '\n';
+    }
+
+    /** The state in a slot, or an exception that says why it is not whole. */
+    std::string read_slot(const fs::path &slot)
+    {
+      const std::string manifest = read_whole_file(slot / "manifest");
+      const std::size_t end      = manifest.rfind("manifest ");
+      if (end == std::string::npos ||
+          manifest.substr(end) != "manifest " + compute_checksum(manifest.substr(0, end)) + '\n')
+        throw std::runtime_error("its manifest is damaged");
+      std::istringstream lines(manifest);
+      std::string        line, word, checksum;
+      std::getline(lines, line);
+      if (line != title)
+        throw std::runtime_error("it was written in another format, by another version of Caudal");
+      while (word != "state" && std::getline(lines, line))
+        std::istringstream(line) >> word;
+      std::size_t size = 0;
+      std::istringstream(line) >> word >> size >> checksum;
+
+      const std::string data = read_whole_file(slot / "state");
+      if (data.size() != size)
+        throw std::runtime_error("its state has " + std::to_string(data.size()) +
+                                 " bytes instead of " + std::to_string(size));
+      if (compute_checksum(data) != checksum)
+        throw std::runtime_error("its state is damaged (the checksums differ)");
+      return data;
+    }
+  } // namespace
+
+  void CheckpointParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Checkpoint");
+    prm.add_parameter("Interval of steps", step_interval,
+                      "Steps between two checkpoints, from which a run can be resumed; 0: the "
+                      "wall time alone decides [1].");
+    prm.add_parameter("Interval of wall time", wall_time_interval,
+                      "Wall time between two checkpoints [min]; 0: the steps alone decide. "
+                      "A checkpoint changes what follows within the solver's tolerance: a run that "
+                      "is to be repeated bit by bit has to count steps.");
+    prm.add_parameter("Slots", n_slots, "The number of checkpoints that are kept [1].",
+                      Patterns::Integer(1, 1000));
+    prm.add_parameter("Wall time limit", wall_time_limit,
+                      "Wall time after which the run finishes its step, writes a checkpoint and "
+                      "ends with exit code 2 [h]; 0: no limit.");
+    prm.leave_subsection();
+  }
+
+  void CheckpointParameters::check() const
+  {
+    AssertThrow(std::isfinite(wall_time_interval) && wall_time_interval >= 0,
+                ExcMessage("Checkpoint/Interval of wall time: the value is " +
+                           std::to_string(wall_time_interval) +
+                           " min. Give a positive time, or 0 to count steps only."));
+    AssertThrow(std::isfinite(wall_time_limit) && wall_time_limit >= 0,
+                ExcMessage("Checkpoint/Wall time limit: the value is " +
+                           std::to_string(wall_time_limit) +
+                           " h. Give a positive time, or 0 for no limit."));
+  }
+
+  CheckpointFolder::CheckpointFolder(const std::string &results, const unsigned int n_slots,
+                                     const MPI_Comm communicator)
+      : results(results)
+      , folder(results + "/restart")
+      , n_slots(n_slots)
+      , communicator(communicator)
+  {}
+
+  void CheckpointFolder::write_slot(const std::string &data, const unsigned int step,
+                                    const double time) const
+  {
+    const fs::path root = folder, unfinished = root / "unfinished", replaced = root / "replaced";
+    const fs::path slot = root / get_slot_name(step);
+    if (!fs::is_directory(results))
+      throw std::runtime_error("the folder <" + results + "> is gone");
+    fs::create_directory(root);
+    fs::remove_all(unfinished);
+    fs::create_directory(unfinished);
+    write_whole_file(unfinished / "state", data);
+    write_whole_file(unfinished / "manifest", make_manifest(data, step, time));
+    synchronise(unfinished);
+
+    fs::remove_all(replaced);
+    if (fs::exists(slot))
+      fs::rename(slot, replaced);
+    fs::rename(unfinished, slot);
+    synchronise(root);
+    fs::remove_all(replaced);
+
+    const std::vector<fs::path> slots = find_slots(root);
+    for (std::size_t k = n_slots; k < slots.size(); ++k)
+      fs::remove_all(slots[k]);
+  }
+
+  void CheckpointFolder::write(const std::string &data, const unsigned int step,
+                               const double time) const
+  {
+    run_on_root(communicator, [&]() {
+      std::string reason;
+      try
+      {
+        write_slot(data, step, time);
+      }
+      catch (const fs::filesystem_error &exception)
+      {
+        reason = exception.code().message();
+      }
+      catch (const std::runtime_error &exception)
+      {
+        reason = exception.what();
+      }
+      std::error_code ignored;
+      if (!reason.empty())
+        fs::remove_all(fs::path(folder) / "unfinished", ignored);
+      AssertThrow(reason.empty(),
+                  ExcMessage("The checkpoint of step " + std::to_string(step) +
+                             " can't be written to <" + folder + ">: " + reason +
+                             ". An earlier checkpoint there is still whole. Make room or give "
+                             "access, then go on by caudal --resume " +
+                             results + "."));
+    });
+  }
+
+  void broadcast_text(std::string &text, const MPI_Comm communicator)
+  {
+    const std::uint64_t size  = Utilities::MPI::broadcast(communicator, std::uint64_t(text.size()));
+    const std::uint64_t chunk = 1 << 30;
+    text.resize(size);
+    for (std::uint64_t begin = 0; begin < size; begin += chunk)
+      MPI_Bcast(&text[begin], std::min(chunk, size - begin), MPI_BYTE, 0, communicator);
+  }
+
+  CheckpointFolder::Checkpoint CheckpointFolder::read_newest() const
+  {
+    Checkpoint checkpoint;
+    run_on_root(communicator, [&]() {
+      std::string reasons;
+      for (const fs::path &slot : find_slots(folder))
+        try
+        {
+          checkpoint.data = read_slot(slot);
+          checkpoint.path = slot.string();
+          return;
+        }
+        catch (const std::exception &exception)
+        {
+          checkpoint.skipped.push_back("The checkpoint <" + slot.string() +
+                                       "> was skipped: " + exception.what() + ".");
+          reasons += " " + checkpoint.skipped.back();
+        }
+      AssertThrow(false, ExcMessage("The folder <" + results +
+                                    "> holds no checkpoint to resume from." + reasons +
+                                    " Give the folder of a run that has written one, or start the "
+                                    "run anew."));
+    });
+    broadcast_text(checkpoint.data, communicator);
+    checkpoint.path    = Utilities::MPI::broadcast(communicator, checkpoint.path);
+    checkpoint.skipped = Utilities::MPI::broadcast(communicator, checkpoint.skipped);
+    return checkpoint;
+  }
+
+  void CheckpointFolder::remove_after(const unsigned int step) const
+  {
+    run_on_root(communicator, [&]() {
+      for (const fs::path &slot : find_slots(folder))
+        if (get_step(slot) > step)
+          fs::remove_all(slot);
+    });
+  }
+} // namespace caudal

@@ -1,0 +1,132 @@
+# A resumed run is the one that was not interrupted, bit by bit, on one and on two ranks.
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
+cat >fluid.prm <<'EOF'
+subsection Time
+  set End time     = 0.2
+  set Step         = 0.01
+  set Adaptive     = true
+  set Largest step = 0.02
+end
+subsection Domain
+  set Cells  = 4, 4
+  set Levels = 3
+end
+subsection Fluid
+  set Density             = 1
+  set Kinematic viscosity = 1e-3
+  set Initial velocity    = sin(pi*x)^2*sin(2*pi*y); -sin(2*pi*x)*sin(pi*y)^2
+end
+subsection Refinement
+  set Interval            = 3
+  set Vorticity threshold = 0.2
+end
+subsection Output
+  set Folder             = results
+  set Interval of fields = 0.05
+end
+EOF
+
+cat >disc.prm <<'EOF'
+include fluid.prm
+set Bodies = disc
+subsection Time
+  set Adaptive = false
+end
+subsection Body disc
+  subsection Shape
+    set Type     = disc
+    set Elements = 6, 8
+    set Position = 0.6, 0.5
+  end
+  subsection Region body
+    set Young's modulus = 3
+  end
+end
+EOF
+
+cat >fish.prm <<EOF
+include $CAUDAL_SOURCE_DIR/prm/fish.prm
+subsection Time
+  set Step = 0.004
+end
+subsection Domain
+  set Size   = 3, 2
+  set Cells  = 6, 4
+  set Levels = 4
+end
+subsection Body fish
+  subsection Shape
+    set Elements = 40, 4
+    set Position = 1, 1
+  end
+  subsection Muscle
+    set Force distribution = if(s>0.7,1,0)
+    subsection Bang-bang
+      set Maximum force density = 2e5
+      set Switching position    = 0.001
+    end
+  end
+end
+subsection Refinement
+  set Interval         = 3
+  set Vorticity levels = 3
+end
+subsection Output
+  set Folder = results
+end
+EOF
+
+cat >school.prm <<EOF
+include $CAUDAL_SOURCE_DIR/prm/school.prm
+subsection Time
+  set Step = 0.004
+end
+subsection Domain
+  set Size   = 4, 2
+  set Cells  = 8, 4
+  set Levels = 4
+end
+subsection Body fish
+  subsection Shape
+    set Elements = 40, 4
+    set Position = 0.7, 1
+  end
+end
+subsection Body follower
+  subsection Shape
+    set Elements = 40, 4
+    set Position = 2.2, 1
+  end
+  subsection Controller
+    set Type = heading
+  end
+end
+subsection Coupling
+  set Kernel = dirac
+end
+subsection Refinement
+  set Interval         = 4
+  set Vorticity levels = 3
+end
+subsection Output
+  set Folder = results
+  set Format = hdf5
+end
+EOF
+
+# verify TEXT ARGUMENTS
+verify() {
+  echo "* $1"
+  shift
+  "$CAUDAL" --verify-restart "$@" >printed 2>errors && tail -n 1 printed | grep -o "equal, bit by bit" || cat errors
+  mpirun -np 2 "$CAUDAL" --verify-restart "$@" >printed 2>errors &&
+    tail -n 1 printed | grep -o "equal, bit by bit" | sed 's/$/, on two ranks/' || cat errors
+  rm -rf results.verify
+}
+verify "only fluid" fluid.prm
+verify "only fluid, explicit" fluid.prm -D Time/Scheme=explicit
+verify "an elastic disc in a flow" disc.prm
+verify "the fish" fish.prm
+verify "a school" school.prm
+
