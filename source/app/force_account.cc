@@ -84,8 +84,10 @@ namespace caudal
       body_momenta[b].add(time, density * sum_over_nodes(solid, solid.velocity, &size));
       const Tensor<1, dim> change = body_momenta[b].get_derivative();
       inertia += change;
-      body_forces[b]     = change - sum_over_nodes(solid, solid.force_density, &size);
-      feedback_forces[b] = change - sum_over_nodes(solid, body.new_feedback_force);
+      body_forces[b] = change - sum_over_nodes(solid, solid.force_density, &size);
+      feedback_forces[b] =
+          change -
+          sum_over_nodes(solid, body.compute_feedback_force(solid.positions, solid.velocity));
     }
     if (!control_volume)
       return;
