@@ -59,11 +59,16 @@ namespace
   template <class Swimmer, class Parameters>
   Exit run_model(Parameters &parameters, const ParameterFile &file, const CommandLine &command_line)
   {
+    using Action = CommandLine::Action;
+    AssertThrow(command_line.action != Action::resume &&
+                    command_line.action != Action::verify_restart,
+                ExcMessage("Model: runs of the model " + parameters.model +
+                           " write no checkpoints. Start the run anew."));
     ParameterHandler prm;
     parameters.declare(prm);
     file.parse(prm);
     parameters.check();
-    if (command_line.action == CommandLine::Action::check)
+    if (command_line.action == Action::check)
     {
       const Swimmer      swimmer(parameters, MPI_COMM_WORLD);
       std::ostringstream summary;
@@ -118,10 +123,6 @@ namespace
 
   Exit run_potential(const ParameterFile &file, const CommandLine &command_line)
   {
-    AssertThrow(command_line.action != CommandLine::Action::resume &&
-                    command_line.action != CommandLine::Action::verify_restart,
-                ExcMessage("Model: runs of the model potential write no checkpoints, since they "
-                           "take seconds. Start the run anew."));
     PotentialParameters parameters;
     return run_model<PotentialSwimmer>(parameters, file, command_line);
   }

@@ -53,7 +53,7 @@ def plot(path, case, runs, figures):
         axis.set_ylabel(header.replace(": ", "\n", 1).replace(" of ", "\nof ", 1)
                         .replace(" by ", "\nby ", 1))
         limit_to_late_values(axis, runs, column)
-        draw_reference(axis, column, figures)
+        draw_reference(axis, column, runs[0], figures)
     axes[-1, 0].set_xlabel("time [s]")
     axes[0, 0].set_title(f"{case.name}: {case.purpose}; dashed: mean and extremes of the reference")
     picture.savefig(path)
@@ -68,7 +68,7 @@ def limit_to_late_values(axis, runs, column):
     axis.set_ylim(low - margin, high + margin)
 
 
-def draw_reference(axis, column, figures):
+def draw_reference(axis, column, run, figures):
     """Dashed lines from the figures whose label starts like the column's quantity."""
     names = {"force x": "drag [N/m]", "force y": "lift [N/m]", "x of point 1": "ux [mm]",
              "y of point 1": "uy [mm]"}
@@ -78,8 +78,7 @@ def draw_reference(axis, column, figures):
     if mean is None:
         return
     amplitude = known.get(f"{label} amplitude") or 0.
-    factor, offset = 1., 0.
-    if label.startswith("u"):
-        factor, offset = 1e-3, {"u": (0.6 if label[1] == "x" else 0.2)}["u"]
+    # Displacements are in mm from where the point was at the start.
+    factor, offset = (1e-3, run.get(column)[0]) if label.startswith("u") else (1., 0.)
     for level in {mean, mean - amplitude, mean + amplitude}:
         axis.axhline(offset + factor * level, color="0.4", linestyle="--", linewidth=0.8)

@@ -1,19 +1,13 @@
 """Runs of caudal that are not made twice."""
 
 import hashlib
-import os
 import pathlib
 import re
 import subprocess
 import time
 
+from caudal_plots.program import ENVIRONMENT, PROGRAM, ROOT
 from caudal_plots.results import Run
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAM = ROOT / "build" / "caudal"
-ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1",
-               "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_hwloc_base_binding_policy": "none"}
 
 
 class RunError(Exception):
@@ -49,7 +43,7 @@ def run(prm, folder, overrides=(), ranks=1):
         command += ["-D", override]
     begin = time.time()
     result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False,
-                            stdin=subprocess.DEVNULL, env={**os.environ, **ENVIRONMENT})
+                            stdin=subprocess.DEVNULL, env=ENVIRONMENT)
     if result.returncode != 0:
         raise RunError(f"{' '.join(command)}: {result.stderr.strip()}")
     stamp.write_text(f"{fingerprint}\n{time.time() - begin:.0f} s on {ranks} ranks\n",

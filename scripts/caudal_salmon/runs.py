@@ -1,7 +1,6 @@
 """Runs of caudal and their results."""
 
 import csv
-import os
 import pathlib
 import re
 import resource
@@ -9,8 +8,7 @@ import subprocess
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAM = ROOT / "build" / "caudal"
+from caudal_plots.program import ENVIRONMENT, PROGRAM, ROOT
 
 
 class RunError(Exception):
@@ -27,12 +25,9 @@ def run(case, folder, overrides=(), is_done=None):
     stamp = folder / "plots" / "command.txt"
     if stamp.is_file() and stamp.read_text() == note and (folder / "summary.csv").is_file():
         return None
-    environment = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
-                   "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                   "OMPI_MCA_hwloc_base_binding_policy": "none"}
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True,
-                            env={**os.environ, **environment}, check=False)
+                            env=ENVIRONMENT, check=False)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if result.returncode != 0:
         raise RunError(f"{' '.join(command)}\n{result.stderr.strip()}")

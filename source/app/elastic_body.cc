@@ -20,7 +20,6 @@ namespace caudal
   ElasticBody<dim>::ElasticBody(const ElasticParameters<dim> &parameters,
                                 const MPI_Comm                communicator)
       : parameters(parameters)
-      , communicator(communicator)
       , solid(*parameters.solid, /*fluid_density=*/0.)
       , weight(solid.n_dofs())
       , acceleration(solid.n_dofs())

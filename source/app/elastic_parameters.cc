@@ -42,7 +42,9 @@ namespace caudal
                       "`Region <name>`.");
     solid->add_parameters(prm);
     prm.leave_subsection();
-    output.add_parameters(prm);
+    prm.enter_subsection("Output");
+    prm.add_parameter("Folder", output.folder, "Folder of the results, which are statistics.txt.");
+    prm.leave_subsection();
   }
 
   template <int dim>
@@ -57,6 +59,12 @@ namespace caudal
                 ExcMessage(solid->get_path() + "/Density: the value is " +
                            std::to_string(solid->density) +
                            " kg/m^3, but there is no fluid to take it from. Give a positive one."));
+    for (unsigned int r = 0; r < solid->regions.size(); ++r)
+      AssertThrow(solid->region_parameters[r]->feedback_stiffness == 0 &&
+                      solid->region_parameters[r]->feedback_damping == 0,
+                  ExcMessage(solid->get_path() + "/Region " + solid->regions[r] +
+                             "/Feedback stiffness, Feedback damping: the elastic model has no "
+                             "feedback forces. Leave them at 0; Motion = fixed holds a region."));
     output.check();
   }
 

@@ -43,11 +43,14 @@ namespace caudal
       return sum;
     }
 
+    /** Whether feedback forces are all that can have a resultant on the body. */
     template <int dim>
-    bool is_held(const SolidBody<dim> &solid)
+    bool is_merely_held(const SwimmingBody<dim> &body)
     {
-      return solid.get_feedback_stiffness().linfty_norm() > 0 ||
-             solid.get_feedback_damping().linfty_norm() > 0;
+      const SolidBody<dim> &solid = body.solid;
+      return !body.swims() && solid.get_excess_density() == 0 &&
+             (solid.get_feedback_stiffness().linfty_norm() > 0 ||
+              solid.get_feedback_damping().linfty_norm() > 0);
     }
 
     template <int dim>
@@ -63,6 +66,7 @@ namespace caudal
   ForceAccount<dim>::ForceAccount(const ImmersedSystem<dim> &system)
       : system(system)
       , body_momenta(system.bodies.size())
+      , resultants(system.bodies.size())
       , body_forces(system.bodies.size())
       , feedback_forces(system.bodies.size())
   {
@@ -84,7 +88,8 @@ namespace caudal
       body_momenta[b].add(time, density * sum_over_nodes(solid, solid.velocity, &size));
       const Tensor<1, dim> change = body_momenta[b].get_derivative();
       inertia += change;
-      body_forces[b] = change - sum_over_nodes(solid, solid.force_density, &size);
+      resultants[b]  = sum_over_nodes(solid, solid.force_density, &size);
+      body_forces[b] = change - resultants[b];
       feedback_forces[b] =
           change -
           sum_over_nodes(solid, body.compute_feedback_force(solid.positions, solid.velocity));
@@ -100,10 +105,10 @@ namespace caudal
   template <int dim>
   void ForceAccount<dim>::set_body_statistics(const unsigned int b, Statistics &statistics) const
   {
-    const SolidBody<dim> &solid = system.bodies[b]->solid;
-    set_vector(statistics, solid.get_name() + ": force", "of the fluid", body_forces[b]);
-    if (is_held(solid))
-      set_vector(statistics, solid.get_name() + ": force", "by feedback", feedback_forces[b]);
+    const SwimmingBody<dim> &body = *system.bodies[b];
+    set_vector(statistics, body.get_name() + ": force", "of the fluid", body_forces[b]);
+    if (is_merely_held(body))
+      set_vector(statistics, body.get_name() + ": force", "by feedback", feedback_forces[b]);
   }
 
   template <int dim>

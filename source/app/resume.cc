@@ -9,9 +9,9 @@ namespace caudal
   {
     /** What grids, unknowns, columns of the tables or the kind of state depend on. */
     const std::regex fixed_entries("Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Probes|"
-                                   "Fluid/Exact solution|Output/Format|"
-                                   "Body [^/]*/(Regions|Polynomial degree|Motion|Monitored points|"
-                                   "Shape/.*|Muscle/Type|Gait/Type)");
+                                   "Fluid/Control volume|Fluid/Exact solution|Output/Format|"
+                                   "Body [^/]*/(Regions|Polynomial degree|Monitored points|"
+                                   "Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)");
 
     std::string get_value(const ParameterValues &values, const std::string &path)
     {

@@ -8,20 +8,6 @@
 
 namespace caudal
 {
-  namespace
-  {
-    /** Minus the resultant of the body force. */
-    template <int dim>
-    Tensor<1, dim> compute_fluid_force(const SolidBody<dim> &solid)
-    {
-      Tensor<1, dim> force;
-      for (const auto &node : solid.get_nodes())
-        for (unsigned int d = 0; d < dim; ++d)
-          force[d] -= solid.get_nodal_volumes()[node[d]] * solid.force_density[node[d]];
-      return force;
-    }
-  } // namespace
-
   template <int dim>
   RunOutput<dim>::RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
                             const OutputFolder &folder, Log &log,
@@ -111,7 +97,7 @@ namespace caudal
         const Tensor<1, dim>     forward = -solid.get_initial_axis(0);
         const double             volume  = solid.get_reference_volume();
         const double             speed   = body.get_mean_velocity() * forward;
-        body_impulses[b] -= step * (compute_fluid_force(solid) * forward);
+        body_impulses[b] += step * (forces.get_resultant(b) * forward);
 
         SwimSample sample;
         sample.time          = time;

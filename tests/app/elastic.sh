@@ -20,3 +20,8 @@ check "CSM3: the flag moves" "$kinetic > 0.1 * $work"
 check "CSM3: the energy is kept" "(($kinetic + $elastic) / $work - 1)^2 < 0.01^2"
 
 ! "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm" -D "Body flag/Density=0" 2>&1 >/dev/null
+for option in --resume --verify-restart; do
+  [ $option = --resume ] && case=csm1 || case="$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm"
+  ! "$CAUDAL" $option "$case" 2>&1 >/dev/null
+done
+! "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm" -D "Body flag/Region flag/Feedback damping=1" 2>&1 >/dev/null

@@ -14,6 +14,7 @@ for ranks in 1 2; do
   volume=$(last "force x by control volume" $ranks/statistics.txt)
   check "$ranks rank(s): by feedback" "($feedback / $force - 1)^2 < 1e-6^2"
   check "$ranks rank(s): by control volume" "($volume / $force - 1)^2 < 0.01^2"
+  check "$ranks rank(s): the cylinder stays" "$(last "cylinder: max J" $ranks/statistics.txt) - 1 < 1e-9"
   echo "$force" >>forces
 done
 set -- $(cat forces)

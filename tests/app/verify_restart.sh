@@ -1,49 +1,7 @@
 # A resumed run is the one that was not interrupted, bit by bit, on one and on two ranks.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 
-cat >fluid.prm <<'EOF'
-subsection Time
-  set End time     = 0.2
-  set Step         = 0.01
-  set Adaptive     = true
-  set Largest step = 0.02
-end
-subsection Domain
-  set Cells  = 4, 4
-  set Levels = 3
-end
-subsection Fluid
-  set Density             = 1
-  set Kinematic viscosity = 1e-3
-  set Initial velocity    = sin(pi*x)^2*sin(2*pi*y); -sin(2*pi*x)*sin(pi*y)^2
-end
-subsection Refinement
-  set Interval            = 3
-  set Vorticity threshold = 0.2
-end
-subsection Output
-  set Folder             = results
-  set Interval of fields = 0.05
-end
-EOF
-
-cat >disc.prm <<'EOF'
-include fluid.prm
-set Bodies = disc
-subsection Time
-  set Adaptive = false
-end
-subsection Body disc
-  subsection Shape
-    set Type     = disc
-    set Elements = 6, 8
-    set Position = 0.6, 0.5
-  end
-  subsection Region body
-    set Young's modulus = 3
-  end
-end
-EOF
+write_fluid_and_disc
 
 cat >fish.prm <<EOF
 include $CAUDAL_SOURCE_DIR/prm/fish.prm

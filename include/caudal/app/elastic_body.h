@@ -30,7 +30,6 @@ namespace caudal
 
   private:
     const ElasticParameters<dim> &parameters;
-    const MPI_Comm                communicator;
     SolidBody<dim>                solid;
     ElasticSystem                 system;
     Vector<double>                weight, acceleration;

@@ -40,7 +40,7 @@ namespace caudal
    * that should agree (per metre of span in 2D):
    * - body force: d/dt int_B rho u - int_B f, f the force density on the fluid;
    * - feedback force: the same with the feedback forces alone; for bodies that
-   *   are held and have neither a muscle's resultant nor another density;
+   *   are held and neither swim nor have another density than the fluid;
    * - control volume: the momentum balance of the flow round all bodies.
    * The inertia of the fluid in the place of the bodies B is part of all of them.
    */
@@ -52,6 +52,12 @@ namespace caudal
 
     /** After each step. */
     void update(double time);
+
+    /** int_B f of a body [N/m], the resultant of all its forces on the fluid. */
+    const Tensor<1, dim> &get_resultant(const unsigned int body) const
+    {
+      return resultants[body];
+    }
 
     void set_body_statistics(unsigned int body, Statistics &statistics) const;
     void set_control_volume_statistics(Statistics &statistics) const;
@@ -68,7 +74,7 @@ namespace caudal
     std::optional<BoundingBox<dim>>      control_volume;
     BackwardDifference<dim>              flow_momentum;
     std::vector<BackwardDifference<dim>> body_momenta;
-    std::vector<Tensor<1, dim>>          body_forces, feedback_forces;
+    std::vector<Tensor<1, dim>>          resultants, body_forces, feedback_forces;
     Tensor<1, dim>                       control_volume_force;
   };
 } // namespace caudal
