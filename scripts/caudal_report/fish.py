@@ -50,7 +50,8 @@ def make_force_charts(run):
     for body in run.bodies:
         axial.append((f"{body}, axial (x)", run.get(f"{body}: force x of the fluid")))
         lateral.append((f"{body}, lateral (y)", run.get(f"{body}: force y of the fluid")))
-    note = "Minus the resultant of the body's forces; the rate of change of its momentum is not in it."
+    note = ("By the flow round the body: the rate of change of the momentum of the fluid in its "
+            "place, less the resultant of the body's forces.")
     return [make_chart("Force of the fluid on the body", TIME, "force [N/m]",
                        make_curves(t, axial + lateral), group="time", zero=True, note=note)]
 
