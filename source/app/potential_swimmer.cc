@@ -256,8 +256,6 @@ namespace caudal
     if (shows_progress)
       progress.finish();
     strokes.fill(summary);
-    if (uses_table() && is_from_rest())
-      summary.energy = average_stroke(model, rate, n_phases_of_averages, has_torques());
     return summary;
   }
 
@@ -273,12 +271,17 @@ namespace caudal
     const auto               frequencies = gait->get_frequencies();
     FieldOutput              fields(folder.path(), parameters.output.get_format(), communicator);
     std::vector<SwimSummary> summaries;
+    const bool               repeats = uses_table() && is_from_rest(); // each stroke is the same
+    const EnergyAverages     stroke =
+        repeats ? average_stroke(*model, n_phases_of_averages, has_torques()) : EnergyAverages();
     try
     {
       for (const double frequency : frequencies)
       {
         const std::string suffix = frequencies.size() > 1 ? "_" + print_frequency(frequency) : "";
         summaries.push_back(swim(*model, frequency, suffix, folder, fields, log, stop_requested));
+        if (repeats)
+          summaries.back().energy = stroke.at_rate(2. * numbers::PI * frequency);
       }
     }
     catch (const StopRequest &)

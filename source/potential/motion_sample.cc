@@ -53,6 +53,19 @@ namespace caudal::potential
       largest_torques[i] = std::max(largest_torques[i], std::abs(sample.torques[i]));
   }
 
+  EnergyAverages EnergyAverages::at_rate(const double rate) const
+  {
+    EnergyAverages result = *this;
+    const double   square = rate * rate;
+    result.energy *= square;
+    result.largest_energy *= square;
+    result.positive_work *= square * rate;
+    result.gross_work *= square * rate;
+    for (double &torque : result.largest_torques)
+      torque *= square;
+    return result;
+  }
+
   double EnergyAverages::mean_energy() const
   {
     return energy / duration;
@@ -68,14 +81,14 @@ namespace caudal::potential
     return gross_work / duration;
   }
 
-  EnergyAverages average_stroke(StrokeModel &model, const double rate, const unsigned int n_phases,
+  EnergyAverages average_stroke(StrokeModel &model, const unsigned int n_phases,
                                 const bool has_torques)
   {
-    const double   period = 2. * numbers::PI / rate;
     EnergyAverages averages;
     for (unsigned int k = 0; k < n_phases; ++k)
-      averages.add(compute_sample(model, BodyState(), period * k / n_phases, rate, has_torques),
-                   period / n_phases);
+      averages.add(
+          compute_sample(model, BodyState(), 2. * numbers::PI * k / n_phases, 1., has_torques),
+          1. / n_phases);
     return averages;
   }
 } // namespace caudal::potential

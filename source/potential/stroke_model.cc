@@ -1,12 +1,36 @@
 #include <caudal/potential/stroke_model.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 namespace caudal::potential
 {
   namespace
   {
+    /** From b to the solution x of A x = b by Cholesky's factors; false if there are none. */
+    bool solve_positive_definite(Tensor<2, 6> A, Screw &x)
+    {
+      for (unsigned int i = 0; i < 6; ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+        {
+          for (unsigned int k = 0; k < j; ++k)
+            A[i][j] -= A[i][k] * A[j][k];
+          A[i][j] /= A[j][j];
+          A[i][i] -= A[i][j] * A[i][j];
+          x[i] -= A[i][j] * x[j];
+        }
+        if (!(A[i][i] > 0.))
+          return false;
+        A[i][i] = std::sqrt(A[i][i]);
+        x[i] /= A[i][i];
+      }
+      for (unsigned int i = 6; i-- > 0;)
+      {
+        for (unsigned int k = i + 1; k < 6; ++k)
+          x[i] -= A[k][i] * x[k];
+        x[i] /= A[i][i];
+      }
+      return true;
+    }
+
     class BruteForce : public StrokeModel
     {
     public:
@@ -79,29 +103,11 @@ namespace caudal::potential
 
   Screw MotionCoefficients::compute_velocity(const Screw &impulse, const double rate) const
   {
-    LAPACKFullMatrix<double> matrix(6, 6);
-    Vector<double>           q(6);
-    for (unsigned int i = 0; i < 6; ++i)
-    {
-      q(i) = impulse[i] - rate * momentum[i];
-      for (unsigned int j = 0; j < 6; ++j)
-        matrix(i, j) = mass[i][j];
-    }
-    matrix.set_property(LAPACKSupport::symmetric);
-    try
-    {
-      matrix.compute_cholesky_factorization();
-      matrix.solve(q);
-    }
-    catch (const ExceptionBase &)
-    {
-      AssertThrow(false, ExcMessage("The mass matrix of body and fluid is not positive definite: "
-                                    "the body's surface intersects itself, or is too coarse. "
-                                    "Reduce the deformation, or refine section Surface."));
-    }
-    Screw result;
-    for (unsigned int i = 0; i < 6; ++i)
-      result[i] = q(i);
+    Screw result = impulse - rate * momentum;
+    AssertThrow(solve_positive_definite(mass, result),
+                ExcMessage("The mass matrix of body and fluid is not positive definite: the body's "
+                           "surface intersects itself, or is too coarse. Reduce the deformation, "
+                           "or refine section Surface."));
     return result;
   }
 

@@ -95,7 +95,7 @@ void check_bent_spheroid()
   Swimmer      swimmer({12, 6, ""}, shape, gait, 16);
   const double mass =
       swimmer.deformation->compute_body_mass(swimmer.gait->evaluate(0.).c)(3, 3) * 1000.;
-  const EnergyAverages energy = average_stroke(swimmer.table, 1., 64, false);
+  const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
   std::cout << "bent spheroid: displacement "
             << below(std::abs(swimmer.swim(1., 1).norm() / 1.101e-2 - 1.), 0.005) << ", energy "
             << below(std::abs(energy.mean_energy() / mass / 5.304e-4 - 1.), 0.005) << std::endl;

@@ -36,6 +36,9 @@ namespace caudal::potential
     /** @p weight is the sample's share of time [s]. */
     void add(const MotionSample &sample, double weight);
 
+    /** Of a swim from rest: the same at another rate, if these are the averages at 1 rad/s. */
+    EnergyAverages at_rate(double rate) const;
+
     double mean_energy() const;         ///< <T> [J]
     double mean_positive_power() const; ///< <max(sum_i Q_i c_i', 0)> [W]
     double mean_gross_power() const;    ///< sum_i <|Q_i c_i'|> [W]
@@ -48,11 +51,10 @@ namespace caudal::potential
   };
 
   /**
-   * The averages over one stroke from rest, at @p n_phases equidistant phases: the work of the
-   * whole cycle is independent of where it begins.
+   * The averages over one stroke from rest at the rate of 1 rad/s, at @p n_phases equidistant
+   * phases: the work of the whole cycle is independent of where it begins.
    */
-  EnergyAverages average_stroke(StrokeModel &model, double rate, unsigned int n_phases,
-                                bool has_torques);
+  EnergyAverages average_stroke(StrokeModel &model, unsigned int n_phases, bool has_torques);
 } // namespace caudal::potential
 
 #endif
