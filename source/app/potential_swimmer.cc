@@ -243,7 +243,7 @@ namespace caudal
       if (instants.is_output[k])
         output.write(sample, rate);
       if (instants.ends_stroke[k])
-        strokes.add(body);
+        strokes.add(sample);
       summary.duration = time;
       summary.distance = (sample.centre - first_centre).norm();
       previous         = sample;
@@ -290,11 +290,13 @@ namespace caudal
       return Outcome::stopped;
     }
     run_on_root(communicator, [&]() {
-      std::ostringstream text, table;
+      std::ostringstream text, table, json;
       print_summaries(text, summaries);
       print_csv(table, summaries);
+      print_json(json, summaries);
       write_text(folder.path("summary.txt"), text.str());
       write_text(folder.path("summary.csv"), table.str());
+      write_text(folder.path("summary.json"), json.str());
       log << "\n" << text.str();
     });
     log << "CPU of rank 0: " << timer.cpu_time() << " s." << std::endl;

@@ -35,6 +35,15 @@ ls fish fish/fields
 grep -c "DataSet timestep" fish/solution.pvd
 grep -q "no viscous drag" fish/summary.txt && grep -q "no viscous drag" fish/log.txt && echo "the ideal fluid is explained"
 result() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } END { print $c }' "$1/summary.csv"; }
+/usr/bin/python3 - <<'PY' && echo "the summary for programs is the same table"
+import csv, json
+table = list(csv.reader(open("fish/summary.csv")))
+summary = json.load(open("fish/summary.json"))
+names = [f"{name} [{entry['unit']}]" for name, entry in summary["quantities"].items()]
+assert names == table[0] and "no viscous drag" in summary["note"]
+assert [list(swim.values()) for swim in summary["swims"]] == [list(map(float, row)) for row in table[1:]]
+assert 0.0999 < summary["constants"]["length"]["value"] < 0.1001
+PY
 stroke=$(result fish "displacement a stroke [cm]")
 check "it swims" "$stroke > 0.1"
 check "distance and strokes agree" "($(result fish "distance [cm]") / 2.2 / $stroke - 1)^2 < 0.05"
@@ -66,6 +75,15 @@ awk 'BEGIN { for (k = 0; k <= 12; k++) { printf "%g", k / 10; for (i = 1; i <= 6
 caudal fish.prm -D "Output/Folder=control" -D "Integration/Torques=false" -D "Gait/Type=table" \
   -D "Gait/Table/File=control.txt" -D "Gait/Table/Periodic=false" -D "Time/End time=1.2" -D "Time/First part=0"
 check "a C-start moves the fish" "$(result control "distance [cm]") > 0.1"
+
+for bias in 5 -5; do
+  caudal fish.prm -D "Output/Folder=bias$bias" -D "Integration/Torques=false" -D "Gait/Bias=$bias"
+done
+turn=$(result bias5 "turn a stroke [degrees]")
+check "a biased fish turns" "$turn < -5"
+check "to the other side with the other bias" "($turn + $(result bias-5 "turn a stroke [degrees]"))^2 < 1e-8 * $turn^2"
+radius='radius of the circle (0: straight) [cm]'
+check "on a circle of the same size" "($(result bias5 "$radius") / $(result bias-5 "$radius") - 1)^2 < 0.01"
 
 caudal fish.prm -D "Output/Folder=still" -D "Integration/Torques=false" -D "Gait/Wave number=0"
 check "a reciprocal stroke does not swim" "$(result still "displacement a stroke [cm]") / $stroke < 1e-5"
