@@ -50,10 +50,13 @@ check "distance and strokes agree" "($(result fish "distance [cm]") / 2.2 / $str
 check "some power is not returned at once" "$(result fish "mean gross power [W]") > $(result fish "mean positive power [W]")"
 check "work of the joints is the energy's change" "($(column power fish/statistics.txt | tail -n 1))^2 < 1e-4"
 
-caudal fish.prm -D "Output/Folder=two" -D "Gait/Frequency=1, 2" -D "Integration/Torques=false"
+caudal fish.prm -D "Output/Folder=two" -D "Gait/Frequency=1, 2"
 ls two
 tail -n +2 two/summary.csv | awk -F, '{ printf "%.4f ", $7 / '"$stroke"' } END { print "" }'
-check "energy grows with the frequency squared" "($(tail -n 1 two/summary.csv | cut -d, -f 10) / $(sed -n 2p two/summary.csv | cut -d, -f 10) - 4)^2 < 1e-12"
+ratio() { result two "$1" | awk 'NR == 2 { first = $1 } NR == 3 { printf "%.12g", $1 / first }'; }
+check "energy grows with the frequency squared" "($(ratio "mean kinetic energy [J]") - 4)^2 < 1e-12"
+check "torques, too" "($(ratio "largest torque of mode 4 [N m]") - 4)^2 < 1e-12"
+check "power with its cube" "($(ratio "mean gross power [W]") - 8)^2 + ($(ratio "mean positive power [W]") - 8)^2 < 1e-12"
 
 mpirun -np 2 "$CAUDAL" fish.prm -D "Output/Folder=ranks" >/dev/null
 check "two ranks" "($(result ranks "displacement a stroke [cm]") / $stroke - 1)^2 < 1e-16"
@@ -81,7 +84,7 @@ for bias in 5 -5; do
 done
 turn=$(result bias5 "turn a stroke [degrees]")
 check "a biased fish turns" "$turn < -5"
-check "to the other side with the other bias" "($turn + $(result bias-5 "turn a stroke [degrees]"))^2 < 1e-8 * $turn^2"
+check "to the other side with the other bias" "($turn + $(result bias-5 "turn a stroke [degrees]"))^2 < 1e-8"
 radius='radius of the circle (0: straight) [cm]'
 check "on a circle of the same size" "($(result bias5 "$radius") / $(result bias-5 "$radius") - 1)^2 < 0.01"
 
