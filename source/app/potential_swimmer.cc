@@ -83,7 +83,7 @@ namespace caudal
     check_shape();
     swimming_shape =
         std::make_unique<SwimmingShape>(surface, *deformation, *gait, parameters.get_densities(),
-                                        has_torques(), uses_table() ? MPI_COMM_SELF : communicator);
+                                        get_torques(), uses_table() ? MPI_COMM_SELF : communicator);
   }
 
   void PotentialSwimmer::check_shape() const
@@ -122,7 +122,12 @@ namespace caudal
 
   bool PotentialSwimmer::has_torques() const
   {
-    return parameters.integration.torques && is_from_rest();
+    return parameters.integration.torques && deformation->n_modes() > 0;
+  }
+
+  Torques PotentialSwimmer::get_torques() const
+  {
+    return !has_torques() ? Torques::none : is_from_rest() ? Torques::from_rest : Torques::any;
   }
 
   void PotentialSwimmer::print_summary(std::ostream &out) const
@@ -152,9 +157,10 @@ namespace caudal
     if (parameters.integration.method == "table" && !gait->is_periodic())
       out << "Note: the gait has no period, so that there can't be a table; a new surface is\n"
              "computed at each time.\n";
-    if (parameters.integration.torques && !has_torques() && deformation->n_modes() > 0)
-      out << "Note: torques and powers are not computed, as the body does not start from rest\n"
-             "or Resistance is active.\n";
+    if (get_torques() == Torques::any)
+      out << "Note: torques and powers take several times as long as all the rest, as the body\n"
+             "does not start from rest or Resistance is active; Integration/Torques = false saves\n"
+             "them.\n";
     if (deformation->n_modes() > 0 && is_reciprocal(*gait))
       out << "Warning: the stroke is reciprocal (its second half is the first one played\n"
              "backwards), and from rest such a stroke can't swim: each shape is passed in both\n"
@@ -232,7 +238,7 @@ namespace caudal
         !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
     integrate_motion(problem, start, instants.times, [&](const BodyState &body, const double) {
       const double       time   = instants.times[k];
-      const MotionSample sample = compute_sample(model, body, time, rate, summary.has_torques);
+      const MotionSample sample = compute_sample(problem, body, time, summary.has_torques);
       if (k == 0)
         first_centre = sample.centre;
       else

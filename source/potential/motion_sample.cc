@@ -11,11 +11,12 @@ namespace caudal::potential
     return std::accumulate(powers.begin(), powers.end(), 0.);
   }
 
-  MotionSample compute_sample(StrokeModel &model, const BodyState &body, const double time,
-                              const double rate, const bool has_torques)
+  MotionSample compute_sample(const MotionProblem &problem, const BodyState &body,
+                              const double time, const bool has_torques)
   {
-    const double      argument = rate * time;
-    const StrokeState state    = model.compute_state(argument);
+    StrokeModel      &model = *problem.model;
+    const double      rate = problem.rate, argument = rate * time;
+    const StrokeState state = model.compute_state(argument);
     MotionSample      sample;
     sample.time     = time;
     sample.body     = body;
@@ -30,10 +31,13 @@ namespace caudal::potential
                     rate * rate * state.deformation_energy;
     if (has_torques)
     {
-      sample.torques = model.compute_torques(argument);
+      const Load load = problem.force ? problem.force({argument, rate, q}) : Load();
+      sample.torques  = model.compute_torques(
+           argument, {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
       for (std::size_t i = 0; i < sample.torques.size(); ++i)
       {
-        sample.torques[i] *= rate * rate;
+        if (!load.on_modes.empty())
+          sample.torques[i] -= load.on_modes[i];
         sample.powers.push_back(sample.torques[i] * rate * state.rates[i]);
       }
     }
@@ -85,9 +89,11 @@ namespace caudal::potential
                                 const bool has_torques)
   {
     EnergyAverages averages;
+    MotionProblem  problem;
+    problem.model = &model;
     for (unsigned int k = 0; k < n_phases; ++k)
       averages.add(
-          compute_sample(model, BodyState(), 2. * numbers::PI * k / n_phases, 1., has_torques),
+          compute_sample(problem, BodyState(), 2. * numbers::PI * k / n_phases, has_torques),
           1. / n_phases);
     return averages;
   }

@@ -49,16 +49,14 @@ namespace caudal::potential
         return get(argument).state;
       }
 
-      std::vector<double> compute_torques(const double argument) override
+      std::vector<double> compute_torques(const double argument, const Drive &drive) override
       {
-        const StrokeState   before = get(argument - increment).state;
-        const StrokeState   after  = get(argument + increment).state;
-        const StrokeState   at     = get(argument).state;
-        std::vector<double> torques;
-        for (std::size_t i = 0; i < at.momenta.size(); ++i)
-          torques.push_back((after.momenta[i] - before.momenta[i]) / (2. * increment) -
-                            at.energy_gradient[i]);
-        return torques;
+        const std::vector<double> before = get(argument - increment).state.torques.momenta;
+        std::vector<double>       rates  = get(argument + increment).state.torques.momenta;
+        for (std::size_t k = 0; k < rates.size(); ++k)
+          rates[k] = (rates[k] - before[k]) / (2. * increment);
+        const StrokeState &at = get(argument).state;
+        return compute_lagrange_torques(at.torques, rates, at.rates.size(), drive);
       }
 
       Tensor<1, 3> compute_centre_rate(const double argument) override
@@ -111,19 +109,38 @@ namespace caudal::potential
     return result;
   }
 
+  std::vector<double> compute_lagrange_torques(const TorqueCoefficients  &coefficients,
+                                               const std::vector<double> &momentum_rates,
+                                               const unsigned int n_modes, const Drive &drive)
+  {
+    std::vector<double> torques(n_modes, 0.);
+    const unsigned int  n = n_modes > 0 ? momentum_rates.size() / n_modes : 0;
+    auto momentum = coefficients.momenta.begin(), gradient = coefficients.energy_gradient.begin();
+    auto momentum_rate = momentum_rates.begin();
+    for (double &torque : torques)
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        torque +=
+            *momentum_rate++ * drive.rate * drive.get(a) + *momentum++ * drive.get_derivative(a);
+        for (unsigned int b = a; b < n; ++b)
+          torque -= *gradient++ * drive.get(a) * drive.get(b);
+      }
+    return torques;
+  }
+
   double StrokeState::compute_energy_from_rest() const
   {
     return deformation_energy + 0.5 * (motion.momentum * motion.compute_velocity(Screw(), 1.));
   }
 
   SwimmingShape::SwimmingShape(const Surface &surface, const Deformation &deformation,
-                               const Gait &gait, const Densities &densities,
-                               const bool with_torques, const MPI_Comm communicator)
+                               const Gait &gait, const Densities &densities, const Torques torques,
+                               const MPI_Comm communicator)
       : surface(surface)
       , deformation(deformation)
       , gait(gait)
       , densities(densities)
-      , with_torques(with_torques)
+      , torques(torques)
       , boundary_elements(surface, communicator)
   {}
 
@@ -154,26 +171,78 @@ namespace caudal::potential
     // The block between rotation and translation of the body's own mass is m c^.
     state.centre = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
 
-    // u = (q, c') from rest
-    const Screw    q = state.motion.compute_velocity(Screw(), 1.);
-    Vector<double> u(6 + n), momenta(6 + n);
-    for (unsigned int i = 0; i < 6; ++i)
-      u(i) = q[i];
-    for (unsigned int i = 0; i < n; ++i)
-      u(6 + i) = at.rates[i];
-    mass.vmult(momenta, u);
-    state.momenta.assign(momenta.begin() + 6, momenta.end());
-    state.energy_gradient.assign(n, 0.);
-    if (with_torques && n > 0)
-    {
-      const std::vector<double> motion(u.begin(), u.end());
-      const std::vector<double> of_fluid =
-          flow->compute_energy_gradient(motion, deformation.compute_mode_rates(at.c, at.rates));
-      const std::vector<double> of_body = deformation.compute_body_energy_gradient(at.c, motion);
-      for (unsigned int i = 0; i < n; ++i)
-        state.energy_gradient[i] = densities.fluid * of_fluid[i] + densities.body * of_body[i];
-    }
+    state.torques = compute_torque_coefficients(*flow, mass, at, state.motion);
     return state;
+  }
+
+  /** (1/2) u^T (dM/dc_i) u */
+  std::vector<double> SwimmingShape::compute_energy_gradient(ExteriorFlow              &flow,
+                                                             const std::vector<double> &c,
+                                                             const Vector<double>      &u) const
+  {
+    const std::vector<double> motion(u.begin(), u.end()), rates(u.begin() + 6, u.end());
+    const std::vector<double> of_fluid =
+        flow.compute_energy_gradient(motion, deformation.compute_mode_rates(c, rates));
+    std::vector<double> gradient = deformation.compute_body_energy_gradient(c, motion);
+    for (std::size_t i = 0; i < gradient.size(); ++i)
+      gradient[i] = densities.fluid * of_fluid[i] + densities.body * gradient[i];
+    return gradient;
+  }
+
+  TorqueCoefficients SwimmingShape::compute_torque_coefficients(ExteriorFlow             &flow,
+                                                                const FullMatrix<double> &mass,
+                                                                const GaitState          &at,
+                                                                const MotionCoefficients &rigid)
+  {
+    const unsigned int          n_modes = deformation.n_modes(), n = n_drives();
+    const unsigned int          n_pairs = n * (n + 1) / 2;
+    TorqueCoefficients          result{std::vector<double>(n_modes * n),
+                              std::vector<double>(n_modes * n_pairs, 0.)};
+    std::vector<Vector<double>> motions;
+    std::vector<double>         sizes;
+    for (unsigned int a = 0; a < n; ++a)
+    {
+      Screw impulse;
+      if (a > 0)
+        impulse[a - 1] = 1.;
+      const Screw    q = rigid.compute_velocity(impulse, a > 0 ? 0. : 1.);
+      Vector<double> u(6 + n_modes), momenta(6 + n_modes);
+      for (unsigned int i = 0; i < 6; ++i)
+        u(i) = q[i];
+      for (unsigned int i = 0; i < n_modes && a == 0; ++i)
+        u(6 + i) = at.rates[i];
+      mass.vmult(momenta, u);
+      for (unsigned int i = 0; i < n_modes; ++i)
+        result.momenta[i * n + a] = momenta(6 + i);
+      // Motions of unit impulses are scaled to unit energy, against rounding in what follows.
+      sizes.push_back(a > 0 ? std::sqrt(u * momenta) : 1.);
+      u /= sizes.back();
+      motions.push_back(u);
+    }
+    if (torques == Torques::none || n_modes == 0)
+      return result;
+
+    // What a sum of two motions has beyond its parts belongs to the pair.
+    std::vector<std::vector<double>> alone;
+    for (const Vector<double> &u : motions)
+      alone.push_back(compute_energy_gradient(flow, at.c, u));
+    unsigned int pair = 0;
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = a; b < n; ++b, ++pair)
+      {
+        std::vector<double> gradient = alone[a];
+        if (a != b)
+        {
+          Vector<double> both = motions[a];
+          both += motions[b];
+          gradient = compute_energy_gradient(flow, at.c, both);
+          for (unsigned int i = 0; i < n_modes; ++i)
+            gradient[i] -= alone[a][i] + alone[b][i];
+        }
+        for (unsigned int i = 0; i < n_modes; ++i)
+          result.energy_gradient[i * n_pairs + pair] = gradient[i] * sizes[a] * sizes[b];
+      }
+    return result;
   }
 
   std::unique_ptr<StrokeModel> create_brute_force(SwimmingShape &shape, const double increment)

@@ -53,7 +53,7 @@ check "work of the joints is the energy's change" "($(column power fish/statisti
 caudal fish.prm -D "Output/Folder=two" -D "Gait/Frequency=1, 2"
 ls two
 tail -n +2 two/summary.csv | awk -F, '{ printf "%.4f ", $7 / '"$stroke"' } END { print "" }'
-ratio() { result two "$1" | awk 'NR == 2 { first = $1 } NR == 3 { printf "%.12g", $1 / first }'; }
+ratio() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } NR == 2 { first = $c } END { print $c / first }' OFMT=%.12g two/summary.csv; }
 check "energy grows with the frequency squared" "($(ratio "mean kinetic energy [J]") - 4)^2 < 1e-12"
 check "torques, too" "($(ratio "largest torque of mode 4 [N m]") - 4)^2 < 1e-12"
 check "power with its cube" "($(ratio "mean gross power [W]") - 8)^2 + ($(ratio "mean positive power [W]") - 8)^2 < 1e-12"
@@ -72,6 +72,9 @@ caudal fish.prm -D "Output/Folder=impulse" -D "Integration/Torques=false" -D "Bo
 check "a pushed fish is faster" "$(result impulse "distance [cm]") > $(result fish "distance [cm]")"
 caudal fish.prm -D "Output/Folder=drag" -D "Integration/Torques=false" -D "Body/Linear impulse=-1e-4, 0, 0" \
   -D "Resistance/Active=true" -D "Resistance/Drag coefficient=1" -D "Gait/Type=none"
+caudal fish.prm -D "Output/Folder=worked" -D "Body/Linear impulse=-1e-4, 0, 0" -D "Resistance/Active=true"
+grep -q "take several times as long" worked/log.txt && echo "the cost of torques of a pushed fish is told"
+check "its joints work more than it gets back" "$(result worked "mean positive power [W]") > $(result fish "mean positive power [W]")"
 check "resistance takes impulse" "$(column "x of linear impulse in body frame" drag/statistics.txt | tail -n 1) > -0.9e-4"
 
 awk 'BEGIN { for (k = 0; k <= 12; k++) { printf "%g", k / 10; for (i = 1; i <= 6; i++) printf " %g", 30 * sin(3.14159265 * k / 12) * sin(3.14159265 * (k / 6 - i / 7)); print "" } }' >control.txt

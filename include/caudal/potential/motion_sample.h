@@ -16,17 +16,17 @@ namespace caudal::potential
     Tensor<1, 3>        centre;          ///< of mass [m]
     Tensor<1, 3>        centre_velocity; ///< [m/s]
     double              energy = 0.;     ///< kinetic, of body and fluid [J]
-    std::vector<double> torques;         ///< Q_i of the modes [N m]; none if not known
+    std::vector<double> torques;         ///< Q_i of the joints [N m]; none if not known
     std::vector<double> powers;          ///< Q_i dc_i/dt [W]
 
     double get_power() const; ///< sum of the powers [W]
   };
 
   /**
-   * Everything at @p time of a body that moves with the gait's rate of @p rate [rad/s]. Torques
-   * if it @p has_torques: it swims from rest without external forces.
+   * Everything at @p time of a body that moves as integrate_motion() says; torques if it
+   * @p has_torques, which the model has to know for such a swim (see Torques).
    */
-  MotionSample compute_sample(StrokeModel &model, const BodyState &body, double time, double rate,
+  MotionSample compute_sample(const MotionProblem &problem, const BodyState &body, double time,
                               bool has_torques);
 
   /** Averages over time. */
