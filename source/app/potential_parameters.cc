@@ -103,7 +103,7 @@ namespace caudal
     prm.add_parameter("Torques", torques,
                       "Whether torques and powers of the joints are computed. From rest they cost "
                       "half as much as all the rest, with an impulse at the start or with "
-                      "resistance ten times as much.");
+                      "resistance several times as much.");
     prm.leave_subsection();
   }
 

@@ -230,6 +230,8 @@ namespace caudal::potential
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = a; b < n; ++b, ++pair)
       {
+        if (!flow.interact(motions[a], motions[b]))
+          continue;
         std::vector<double> gradient = alone[a];
         if (a != b)
         {
