@@ -18,7 +18,7 @@ def main(arguments):
                         help="N values from A to B: a table and a plot of the results")
     parser.add_argument("--mesh", action="store_true",
                         help="130 to 4,610 panels: observed order and Richardson's value")
-    parser.add_argument("--finest", action="store_true", help="--mesh up to 6,274 panels (minutes)")
+    parser.add_argument("--finest", action="store_true", help="--mesh up to 8,194 panels (minutes)")
     parser.add_argument("-D", dest="overrides", metavar="SECTION/ENTRY=VALUE", action="append",
                         default=[], help="set a parameter, in --sweep and --mesh")
     parser.add_argument("--folder", type=pathlib.Path, help="of the results (output/salmon_...)")

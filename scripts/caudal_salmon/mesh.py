@@ -6,10 +6,11 @@ from caudal_plots import style
 
 from . import runs
 
-# Cells along and across in the same proportion, so that the grids differ in their spacing only;
-# 130 to 4,610 panels. The second has half the spacing of the first, and so on: nested.
-UNITS = (1, 2, 3, 4, 5, 6)
-FINEST = 7  # 6,274 panels
+# Cells along and across in the same proportion, so that the grids differ in their spacing only.
+# Each halves the spacing of one before it, or lies between two such: on grids that are not
+# nested, the stations of an outline stand elsewhere in their cells and differences have any sign.
+UNITS = (1, 2, 4, 6)  # 130, 514, 2,050, 4,610 panels
+FINEST = 8  # 8,194 panels
 QUANTITIES = ("displacement a stroke", "mean kinetic energy")
 
 
@@ -40,7 +41,7 @@ def extrapolate(units, values):
 def describe(name, units, values):
     """A sentence for each set of three grids, and the last limit."""
     lines, limit = [], values[-1]
-    for chosen in ((1, 2, 4), tuple(units[-1 - k] for k in (4, 2, 0))):
+    for chosen in (units[:3], (2, 4, units[-1])):
         picked = [values[units.index(unit)] for unit in chosen]
         order, value = extrapolate(chosen, picked)
         grids = ", ".join(str(count_panels(3 * unit, 2 * unit)) for unit in chosen)

@@ -12,6 +12,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from caudal_plots import style
 
 N_TIMES = 6
+LATTICE = np.array([13., 6.5])  # between the pictures of one stroke [cm]
 
 
 def read_series(folder, frequency):
@@ -56,33 +57,50 @@ def draw_surface(axes, path, limit, turn, shift=(0., 0.)):
     return points.reshape(-1, 2)
 
 
+def draw_named(axes, series, index, limit, turn, shift):
+    """The fish at one time, which is written above it; returns the points."""
+    time, path = series[index]
+    points = draw_surface(axes, path, limit, turn, shift)
+    axes.annotate(f"{time:.1f} s", (points[:, 0].mean(), points[:, 1].max() + 0.4), fontsize=7,
+                  ha="center")
+    return points
+
+
+def draw_stroke(axes, series, f, limit, turn):
+    """The fish at equal steps of its second stroke: two lines of three."""
+    times = np.array([time for time, _ in series])
+    nearest = [int(np.argmin(abs(times - (1 + k / N_TIMES) / f))) for k in range(N_TIMES)]
+    return np.concatenate([draw_named(axes, series, index, limit, turn, LATTICE * (k % 3, -(k // 3)))
+                           for k, index in enumerate(nearest)])
+
+
+def draw_way(axes, series, limit, turn):
+    """The fish at the start, half-way and at the end, one below the other."""
+    return np.concatenate([draw_named(axes, series, index, limit, turn, LATTICE * (0, -k))
+                           for k, index in enumerate((0, len(series) // 2, len(series) - 1))])
+
+
 def draw_swimming(folder, swims, title):
     """Each swim in a row: the fish through its second stroke, and on its way of 20 s."""
-    figure, axes = style.make_figure(len(swims), 2, 2.6 * len(swims))
-    for row, (case, f) in enumerate(swims):
+    figure, axes = style.make_figure(len(swims), 2, 2.4 * len(swims) + 0.4)
+    seen = {0: [], 1: []}
+    for panels, (case, f) in zip(axes, swims):
         series = read_series(folder / case, f)
-        times = np.array([time for time, _ in series])
         turn = get_turn(series)
         limit = style.get_round_limit(np.percentile(
-            np.abs(read_surface(series[len(series) // 2][1])[1]), 90))
-        stroke, way = axes[row]
-        seen = []
-        for k in range(N_TIMES):
-            nearest = int(np.argmin(abs(times - (1 + k / N_TIMES) / f)))
-            column, line = k % 3, k // 3
-            shift = np.array([13. * column, -7. * line])
-            points = draw_surface(stroke, series[nearest][1], limit, turn, shift)
-            stroke.annotate(f"{times[nearest]:.2f} s", (13. * column - 1., 3. - 7. * line), fontsize=7)
-            seen.append(points)
-        ways = [draw_surface(way, series[k][1], limit, turn)
-                for k in (0, len(series) // 2, len(series) - 1)]
-        for panel, group in ((stroke, seen), (way, ways)):
-            points = np.concatenate(group)
-            (x0, y0), (x1, y1) = points.min(axis=0) - 1, points.max(axis=0) + 1
-            style.set_window(panel, (x0, x1, min(y0, -4.), max(y1, 4.)))
-            panel.set_ylabel("[cm]")
-        stroke.set_title(f"{case.replace('_', ' ')}, {f} Hz: one stroke; pressure to ±{limit:g} Pa")
-        way.set_title(f"at {times[0]:.0f}, {times[len(times) // 2]:.0f} and {times[-1]:.0f} s, "
-                      "swimming to the left")
+            np.abs(read_surface(series[len(series) // 2][1])[1]), 80))
+        seen[0].append(draw_stroke(panels[0], series, f, limit, turn))
+        seen[1].append(draw_way(panels[1], series, limit, turn))
+        panels[0].set_title(f"{case.replace('_', ' ')}, {f} Hz: second stroke")
+        panels[1].set_title("its way to the left, one below the other")
+        figure.colorbar(panels[1].collections[0], ax=panels[1], label="pressure [Pa]", shrink=0.6,
+                        aspect=12, ticks=(-limit, 0, limit), extend="both")
+    for column, groups in seen.items():  # in the same scale and window
+        points = np.concatenate(groups)
+        (x0, y0), (x1, y1) = points.min(axis=0) - 1, points.max(axis=0) + (1, 2.5)
+        for panel in axes[:, column]:
+            style.set_window(panel, (x0, x1, y0, y1))
+            panel.set_yticks([])
+        axes[-1, column].set_xlabel("[cm]")
     figure.suptitle(title)
     return figure

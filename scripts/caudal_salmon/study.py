@@ -8,6 +8,7 @@ from . import paper, pictures, runs
 
 FREQUENCIES = (0.64, 0.95, 1.43)
 CASES = ("fish_one", "fish_two", "fish_one_literal", "fish_two_literal", "salmon")
+N_STROKES = 3  # shown of what repeats itself
 REFERENCE = 0.95  # the frequency at which shapes are compared [Hz]
 
 
@@ -49,78 +50,89 @@ def write_table(folder):
 
 
 def draw_over_time(folder, cases, frequencies, title):
-    """Distance, speed, energy and torques over time: a column for each swim."""
+    """A column for each swim: distance over all of it; speed, energy and torques, which repeat
+    themselves, over the first strokes."""
     swims = [(case, f) for case in cases for f in frequencies]
-    figure, axes = style.make_figure(4, len(swims), 8.4, sharex="col", sharey="row")
+    figure, axes = style.make_figure(4, len(swims), 8.8, sharey="row")
+    end = N_STROKES / min(frequencies)
     for column, (case, f) in enumerate(swims):
         data = runs.read_statistics(folder / case, f)
         time = data["time"]
+        first = time <= end
         axes[0, column].plot(time, 100 * data["distance"])
-        axes[1, column].plot(time, 100 * data["speed"])
-        axes[2, column].plot(time, data["kinetic energy"])
+        axes[0, column].set_xlim(0, time[-1])
+        axes[1, column].plot(time[first], 100 * data["speed"][first])
+        axes[2, column].plot(time[first], data["kinetic energy"][first])
         for joint in range(1, 7):
-            axes[3, column].plot(time, data[f"torque of mode {joint}"], linewidth=0.8,
+            axes[3, column].plot(time[first], data[f"torque of mode {joint}"][first], linewidth=0.9,
                                  label=f"joint {joint}")
+        for row in (1, 2, 3):
+            axes[row, column].set_xlim(0, end)
         axes[0, column].set_title(f"{case.replace('_', ' ')}, {f} Hz")
         axes[3, column].set_xlabel("time [s]")
-        axes[3, column].set_xlim(0, time[-1])
-        for row in (1, 2, 3):
-            axes[row, column].set_xlim(0, time[-1])
     for row, label in enumerate(("distance [cm]", "speed of the\ncentre of mass [cm/s]",
                                  "kinetic energy [J]", "torque [N m]")):
         axes[row, 0].set_ylabel(label)
-    axes[3, 0].legend(ncol=2, fontsize=6)
+    for row in (0, 1, 2):
+        axes[row, 0].set_ylim(bottom=0)
+    largest = max(map(abs, axes[3, 0].get_ylim()))
+    axes[3, 0].set_ylim(-1.9 * largest, 1.1 * largest)  # room for the legend
+    axes[3, 0].legend(ncol=3, fontsize=7, loc="lower center", columnspacing=1., handlelength=1.2)
     figure.suptitle(title)
     return figure
 
 
 def draw_power(folder):
-    """Energy and power over frequency for all shapes."""
-    figure, axes = style.make_figure(1, 3, 3.2)
-    for case in CASES:
+    """Distance, energy and power over frequency for all shapes, and the paper's points."""
+    figure, axes = style.make_figure(1, 3, 4.)
+    for case, colour in zip(CASES, style.LINES):
         results = runs.read_summary(folder / case)
         f = [result["frequency"] for result in results]
         for panel, name in zip(axes[0], ("distance", "mean kinetic energy", "mean gross power")):
-            panel.plot(f, [result[name] for result in results], "o-", markersize=3,
+            panel.plot(f, [result[name] for result in results], "o-", markersize=3, color=colour,
                        label=case.replace("_", " "))
-    for case, marker in (("fish_one", "x"), ("fish_two", "+")):
-        points = [(f, *values) for (shape, f), values in paper.RESULTS.items() if shape == case]
-        f, distance, _, energy = np.array(points).T
-        axes[0, 0].plot(f, distance, marker, color="black", label=f"paper, {case.replace('_', ' ')}")
-        axes[0, 2].plot(f, energy, marker, color="black")
+        printed = [(g, *values) for (shape, g), values in paper.RESULTS.items() if shape == case]
+        if printed:
+            g, distance, _, energy = np.array(printed).T
+            options = dict(linestyle="none", color=colour, markeredgewidth=1.4, markersize=6)
+            axes[0, 0].plot(g, distance, "x", label=f"{case.replace('_', ' ')}, paper", **options)
+            axes[0, 2].plot(g, energy, "x", **options)
     for panel, label in zip(axes[0], ("distance in 20 s [cm]", "mean kinetic energy [J]",
-                                      "gross power [W]\n(crosses: the paper's \"energy\")")):
+                                      "gross power [W] (x: the paper's \"energy\")")):
         panel.set_xlabel("frequency [Hz]")
-        panel.set_ylabel(label)
+        panel.set_title(label)
         panel.set_yscale("log")
-    axes[0, 0].set_ylim(bottom=0.02)
-    axes[0, 0].legend(fontsize=6, loc="lower right", ncol=2)
+    # Below all panels, in the room that this label keeps free
+    axes[0, 1].set_xlabel("frequency [Hz]\n\n\n")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), ncol=4, loc="lower center")
     return figure
 
 
 def draw_relations(folder):
     """Table 2: speed over frequency, with the unit that each source uses."""
     F = np.linspace(0.5, 5, 200)
-    figure, axes = style.make_figure(1, 2, 3.6)
+    figure, axes = style.make_figure(1, 2, 4.4)
     for label, relation in paper.RELATIONS_IN_LENGTHS:
         axes[0, 0].plot(F, relation(F), label=label)
     label, relation = paper.RELATION_IN_CM
     axes[0, 1].plot(F, relation(F), label=label)
-    for case in ("fish_one", "fish_two", "salmon"):
+    for case, colour, marker in zip(("fish_one", "fish_two", "salmon"), style.LINES[-3:], "os^"):
         results = runs.read_summary(folder / case)
         f = [result["frequency"] for result in results]
-        options = dict(marker="o", markersize=3, linestyle="--", label=case.replace("_", " "))
+        options = dict(marker=marker, markersize=4, linestyle="--", color=colour,
+                       label=f"model, {case.replace('_', ' ')}")
         axes[0, 0].plot(f, [result["mean speed in body lengths"] for result in results], **options)
         axes[0, 1].plot(f, [result["mean speed"] for result in results], **options)
     axes[0, 0].set_ylim(-0.5, 6)
     axes[0, 1].set_ylim(-20, 70)
     for panel, label in zip(axes[0], ("speed V [body lengths/s]", "speed V [cm/s]")):
         panel.axhline(0, color="0.5", linewidth=0.6)
+        panel.set_xlim(F[0], F[-1])
         panel.set_xlabel("tail-beat frequency F [Hz]")
         panel.set_ylabel(label)
-        panel.legend(fontsize=6)
-    figure.suptitle("empirical relations of table 2 (units by source, as far as it says) and the "
-                    "model: no agreement is claimed")
+        panel.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=2)
+    figure.suptitle("empirical relations of table 2 (units by source, as far as it says)\n"
+                    "and the model: no agreement is claimed")
     return figure
 
 

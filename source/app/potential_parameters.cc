@@ -101,8 +101,9 @@ namespace caudal
                       "Relative and absolute tolerance of a step of the integration of the "
                       "motion (lengths relative to the body's) [1].");
     prm.add_parameter("Torques", torques,
-                      "Whether torques and powers of the joints are computed. They need rest at "
-                      "the start and no resistance.");
+                      "Whether torques and powers of the joints are computed. From rest they cost "
+                      "half as much as all the rest, with an impulse at the start or with "
+                      "resistance several times as much.");
     prm.leave_subsection();
   }
 

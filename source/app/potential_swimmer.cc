@@ -83,7 +83,7 @@ namespace caudal
     check_shape();
     swimming_shape =
         std::make_unique<SwimmingShape>(surface, *deformation, *gait, parameters.get_densities(),
-                                        has_torques(), uses_table() ? MPI_COMM_SELF : communicator);
+                                        get_torques(), uses_table() ? MPI_COMM_SELF : communicator);
   }
 
   void PotentialSwimmer::check_shape() const
@@ -122,7 +122,12 @@ namespace caudal
 
   bool PotentialSwimmer::has_torques() const
   {
-    return parameters.integration.torques && is_from_rest();
+    return parameters.integration.torques && deformation->n_modes() > 0;
+  }
+
+  Torques PotentialSwimmer::get_torques() const
+  {
+    return !has_torques() ? Torques::none : is_from_rest() ? Torques::from_rest : Torques::any;
   }
 
   void PotentialSwimmer::print_summary(std::ostream &out) const
@@ -152,9 +157,10 @@ namespace caudal
     if (parameters.integration.method == "table" && !gait->is_periodic())
       out << "Note: the gait has no period, so that there can't be a table; a new surface is\n"
              "computed at each time.\n";
-    if (parameters.integration.torques && !has_torques() && deformation->n_modes() > 0)
-      out << "Note: torques and powers are not computed, as the body does not start from rest\n"
-             "or Resistance is active.\n";
+    if (get_torques() == Torques::any)
+      out << "Note: torques and powers take several times as long as all the rest, as the body\n"
+             "does not start from rest or Resistance is active; Integration/Torques = false saves\n"
+             "them.\n";
     if (deformation->n_modes() > 0 && is_reciprocal(*gait))
       out << "Warning: the stroke is reciprocal (its second half is the first one played\n"
              "backwards), and from rest such a stroke can't swim: each shape is passed in both\n"
@@ -232,7 +238,7 @@ namespace caudal
         !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
     integrate_motion(problem, start, instants.times, [&](const BodyState &body, const double) {
       const double       time   = instants.times[k];
-      const MotionSample sample = compute_sample(model, body, time, rate, summary.has_torques);
+      const MotionSample sample = compute_sample(problem, body, time, summary.has_torques);
       if (k == 0)
         first_centre = sample.centre;
       else
@@ -243,7 +249,7 @@ namespace caudal
       if (instants.is_output[k])
         output.write(sample, rate);
       if (instants.ends_stroke[k])
-        strokes.add(body);
+        strokes.add(sample);
       summary.duration = time;
       summary.distance = (sample.centre - first_centre).norm();
       previous         = sample;
@@ -256,8 +262,6 @@ namespace caudal
     if (shows_progress)
       progress.finish();
     strokes.fill(summary);
-    if (uses_table() && is_from_rest())
-      summary.energy = average_stroke(model, rate, n_phases_of_averages, has_torques());
     return summary;
   }
 
@@ -273,12 +277,17 @@ namespace caudal
     const auto               frequencies = gait->get_frequencies();
     FieldOutput              fields(folder.path(), parameters.output.get_format(), communicator);
     std::vector<SwimSummary> summaries;
+    const bool               repeats = uses_table() && is_from_rest(); // each stroke is the same
+    const EnergyAverages     stroke =
+        repeats ? average_stroke(*model, n_phases_of_averages, has_torques()) : EnergyAverages();
     try
     {
       for (const double frequency : frequencies)
       {
         const std::string suffix = frequencies.size() > 1 ? "_" + print_frequency(frequency) : "";
         summaries.push_back(swim(*model, frequency, suffix, folder, fields, log, stop_requested));
+        if (repeats)
+          summaries.back().energy = stroke.at_rate(2. * numbers::PI * frequency);
       }
     }
     catch (const StopRequest &)
@@ -287,11 +296,13 @@ namespace caudal
       return Outcome::stopped;
     }
     run_on_root(communicator, [&]() {
-      std::ostringstream text, table;
+      std::ostringstream text, table, json;
       print_summaries(text, summaries);
       print_csv(table, summaries);
+      print_json(json, summaries);
       write_text(folder.path("summary.txt"), text.str());
       write_text(folder.path("summary.csv"), table.str());
+      write_text(folder.path("summary.json"), json.str());
       log << "\n" << text.str();
     });
     log << "CPU of rank 0: " << timer.cpu_time() << " s." << std::endl;

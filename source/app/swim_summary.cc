@@ -1,5 +1,6 @@
 #include <caudal/app/swim_summary.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -73,6 +74,21 @@ namespace caudal
       return quantities;
     }
 
+    /** Calls @p print for each quantity, with the separator between them. */
+    template <class Print>
+    void print_joined(std::ostream &out, const SwimSummary &summary, const std::string &separator,
+                      const Print &print)
+    {
+      bool is_first = true;
+      for (const Quantity &quantity : get_quantities(summary))
+      {
+        if (!is_first)
+          out << separator;
+        print(quantity);
+        is_first = false;
+      }
+    }
+
     /** Of the direction R e_1 in the plane [rad]. */
     double get_heading(const potential::BodyState &body)
     {
@@ -100,24 +116,43 @@ namespace caudal
   void print_csv(std::ostream &out, const std::vector<SwimSummary> &summaries)
   {
     out << std::setprecision(10);
-    const auto print_row = [&](const SwimSummary &summary, const auto &get) {
-      std::string separator;
-      for (const Quantity &quantity : get_quantities(summary))
-      {
-        out << separator;
-        get(quantity);
-        separator = ",";
-      }
-      out << '\n';
-    };
-    print_row(summaries[0], [&](const Quantity &q) { out << q.name << " [" << q.unit << "]"; });
+    print_joined(out, summaries[0], ",",
+                 [&](const Quantity &q) { out << q.name << " [" << q.unit << "]"; });
+    out << '\n';
     for (const SwimSummary &summary : summaries)
-      print_row(summary, [&](const Quantity &q) { out << q.value; });
+    {
+      print_joined(out, summary, ",", [&](const Quantity &q) { out << q.value; });
+      out << '\n';
+    }
   }
 
-  void StrokeCounter::add(const potential::BodyState &body)
+  void print_json(std::ostream &out, const std::vector<SwimSummary> &summaries)
   {
-    ends.push_back(body);
+    std::string statement = get_ideal_fluid_statement();
+    statement.pop_back();
+    std::replace(statement.begin(), statement.end(), '\n', ' ');
+    out << std::setprecision(10) << "{\n  \"note\": \"" << statement
+        << "\",\n  \"constants\": {\n    \"length\": {\"value\": " << summaries[0].length
+        << ", \"unit\": \"m\"},\n    \"mass\": {\"value\": " << summaries[0].mass
+        << ", \"unit\": \"kg\"}\n  },\n  \"quantities\": {\n    ";
+    print_joined(out, summaries[0], ",\n    ", [&](const Quantity &q) {
+      out << '"' << q.name << "\": {\"unit\": \"" << q.unit << "\"}";
+    });
+    out << "\n  },\n  \"swims\": [";
+    const char *separator = "\n    {";
+    for (const SwimSummary &summary : summaries)
+    {
+      out << separator;
+      print_joined(out, summary, ", ",
+                   [&](const Quantity &q) { out << '"' << q.name << "\": " << q.value; });
+      separator = "},\n    {";
+    }
+    out << "}\n  ]\n}\n";
+  }
+
+  void StrokeCounter::add(const potential::MotionSample &sample)
+  {
+    ends.push_back({sample.centre, get_heading(sample.body)});
   }
 
   void StrokeCounter::fill(SwimSummary &summary) const
@@ -125,8 +160,8 @@ namespace caudal
     summary.n_strokes = ends.empty() ? 0 : ends.size() - 1;
     for (std::size_t k = 1; k < ends.size(); ++k)
     {
-      summary.stroke += (ends[k].position - ends[k - 1].position).norm() / summary.n_strokes;
-      const double turn = get_heading(ends[k]) - get_heading(ends[k - 1]);
+      summary.stroke += (ends[k].centre - ends[k - 1].centre).norm() / summary.n_strokes;
+      const double turn = ends[k].heading - ends[k - 1].heading;
       summary.turn += std::remainder(turn, 2. * numbers::PI) / summary.n_strokes;
     }
   }

@@ -37,8 +37,8 @@ namespace caudal
     /** Everything that Caudal, scripts/plot, report and paraview write, and nothing else. */
     void remove_results(const fs::path &folder)
     {
-      const std::set<std::string> names   = {"log.txt", "summary.txt", "summary.csv", "report.html",
-                                             "view.py"};
+      const std::set<std::string> names   = {"log.txt",      "summary.txt", "summary.csv",
+                                             "summary.json", "report.html", "view.py"};
       const std::set<std::string> endings = {".pvd", ".xdmf", ".vtu", ".h5", ".png"};
 
       const auto remove_files = [&](const fs::path &where) {

@@ -47,6 +47,17 @@ namespace caudal::potential
     return result;
   }
 
+  bool ExteriorFlow::interact(const Vector<double> &u, const Vector<double> &v) const
+  {
+    return std::any_of(systems.begin(), systems.end(), [&](const Equations &equations) {
+      const auto moves = [&](const Vector<double> &motion) {
+        return std::any_of(equations.motions.begin(), equations.motions.end(),
+                           [&](const unsigned int l) { return motion(l) != 0.; });
+      };
+      return moves(u) && moves(v);
+    });
+  }
+
   ExteriorFlow::NodalFlow ExteriorFlow::combine(const Equations           &equations,
                                                 const std::vector<double> &u) const
   {

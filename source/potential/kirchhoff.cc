@@ -64,22 +64,10 @@ namespace caudal::potential
       const Screw     velocity =
           problem.model->compute_motion(argument).compute_velocity(body.impulse, problem.rate);
       const Tensor<1, 3> omega = get_part(velocity, 0), v = get_part(velocity, 3);
-      const Tensor<1, 3> Lambda = get_part(body.impulse, 0), Pi = get_part(body.impulse, 3);
-
-      BodyState    rate;
-      Tensor<1, 3> torque = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
-      Tensor<1, 3> force  = cross_product_3d(Pi, omega);
-      if (problem.force)
-      {
-        const Screw external = problem.force({argument, problem.rate, velocity});
-        torque += get_part(external, 0);
-        force += get_part(external, 3);
-      }
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        rate.impulse[d]     = torque[d];
-        rate.impulse[3 + d] = force[d];
-      }
+      const Screw        external =
+          problem.force ? problem.force({argument, problem.rate, velocity}).screw : Screw();
+      BodyState rate;
+      rate.impulse = compute_impulse_rate(body.impulse, velocity, external);
       const Quaternion q(body.quaternion[0], body.quaternion[1], body.quaternion[2],
                          body.quaternion[3]);
       const Quaternion turn = 0.5 * q * Quaternion(0., omega[0], omega[1], omega[2]);
@@ -89,6 +77,21 @@ namespace caudal::potential
       return pack(rate, problem.length);
     }
   } // namespace
+
+  Screw compute_impulse_rate(const Screw &impulse, const Screw &velocity, const Screw &external)
+  {
+    const Tensor<1, 3> Lambda = get_part(impulse, 0), Pi = get_part(impulse, 3),
+                       omega = get_part(velocity, 0), v = get_part(velocity, 3);
+    const Tensor<1, 3> torque = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
+    const Tensor<1, 3> force  = cross_product_3d(Pi, omega);
+    Screw              rate   = external;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      rate[d] += torque[d];
+      rate[3 + d] += force[d];
+    }
+    return rate;
+  }
 
   Tensor<1, 3> BodyState::rotate(const Tensor<1, 3> &V) const
   {

@@ -11,11 +11,12 @@ namespace caudal::potential
     return std::accumulate(powers.begin(), powers.end(), 0.);
   }
 
-  MotionSample compute_sample(StrokeModel &model, const BodyState &body, const double time,
-                              const double rate, const bool has_torques)
+  MotionSample compute_sample(const MotionProblem &problem, const BodyState &body,
+                              const double time, const bool has_torques)
   {
-    const double      argument = rate * time;
-    const StrokeState state    = model.compute_state(argument);
+    StrokeModel      &model = *problem.model;
+    const double      rate = problem.rate, argument = rate * time;
+    const StrokeState state = model.compute_state(argument);
     MotionSample      sample;
     sample.time     = time;
     sample.body     = body;
@@ -30,10 +31,13 @@ namespace caudal::potential
                     rate * rate * state.deformation_energy;
     if (has_torques)
     {
-      sample.torques = model.compute_torques(argument);
+      const Load load = problem.force ? problem.force({argument, rate, q}) : Load();
+      sample.torques  = model.compute_torques(
+           argument, {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
       for (std::size_t i = 0; i < sample.torques.size(); ++i)
       {
-        sample.torques[i] *= rate * rate;
+        if (!load.on_modes.empty())
+          sample.torques[i] -= load.on_modes[i];
         sample.powers.push_back(sample.torques[i] * rate * state.rates[i]);
       }
     }
@@ -53,6 +57,19 @@ namespace caudal::potential
       largest_torques[i] = std::max(largest_torques[i], std::abs(sample.torques[i]));
   }
 
+  EnergyAverages EnergyAverages::at_rate(const double rate) const
+  {
+    EnergyAverages result = *this;
+    const double   square = rate * rate;
+    result.energy *= square;
+    result.largest_energy *= square;
+    result.positive_work *= square * rate;
+    result.gross_work *= square * rate;
+    for (double &torque : result.largest_torques)
+      torque *= square;
+    return result;
+  }
+
   double EnergyAverages::mean_energy() const
   {
     return energy / duration;
@@ -68,14 +85,16 @@ namespace caudal::potential
     return gross_work / duration;
   }
 
-  EnergyAverages average_stroke(StrokeModel &model, const double rate, const unsigned int n_phases,
+  EnergyAverages average_stroke(StrokeModel &model, const unsigned int n_phases,
                                 const bool has_torques)
   {
-    const double   period = 2. * numbers::PI / rate;
     EnergyAverages averages;
+    MotionProblem  problem;
+    problem.model = &model;
     for (unsigned int k = 0; k < n_phases; ++k)
-      averages.add(compute_sample(model, BodyState(), period * k / n_phases, rate, has_torques),
-                   period / n_phases);
+      averages.add(
+          compute_sample(problem, BodyState(), 2. * numbers::PI * k / n_phases, has_torques),
+          1. / n_phases);
     return averages;
   }
 } // namespace caudal::potential

@@ -21,8 +21,8 @@ namespace caudal::potential
       row.push_back(state.deformation_energy);
       for (unsigned int d = 0; d < 3; ++d)
         row.push_back(state.centre[d]);
-      row.insert(row.end(), state.momenta.begin(), state.momenta.end());
-      row.insert(row.end(), state.energy_gradient.begin(), state.energy_gradient.end());
+      for (const auto *const part : {&state.torques.momenta, &state.torques.energy_gradient})
+        row.insert(row.end(), part->begin(), part->end());
       return row;
     }
 
@@ -38,18 +38,18 @@ namespace caudal::potential
       return motion;
     }
 
-    StrokeState unpack(const std::vector<double> &row, const std::vector<double> &rates)
+    StrokeState unpack(const std::vector<double> &row, const std::vector<double> &rates,
+                       const unsigned int n_drives)
     {
-      const auto  begin = row.begin() + momenta_begin;
-      const auto  n     = rates.size();
+      const auto  middle = row.begin() + momenta_begin + rates.size() * n_drives;
       StrokeState state;
       state.motion             = unpack_motion(row);
       state.deformation_energy = row[energy_begin];
       for (unsigned int d = 0; d < 3; ++d)
         state.centre[d] = row[centre_begin + d];
       state.rates = rates;
-      state.momenta.assign(begin, begin + n);
-      state.energy_gradient.assign(begin + n, begin + 2 * n);
+      state.torques.momenta.assign(row.begin() + momenta_begin, middle);
+      state.torques.energy_gradient.assign(middle, row.end());
       return state;
     }
 
@@ -60,8 +60,14 @@ namespace caudal::potential
       return motion < 6 ? signs[motion] : -1.;
     }
 
+    /** The same to the drives; the gait's rate stays. */
+    double get_drive_sign(const unsigned int drive)
+    {
+      return drive > 0 ? get_mirror_sign(drive - 1) : 1.;
+    }
+
     /** The state of the mirror image of the body. */
-    std::vector<double> mirror(StrokeState state)
+    std::vector<double> mirror(StrokeState state, const unsigned int n_drives)
     {
       for (unsigned int i = 0; i < 6; ++i)
       {
@@ -70,10 +76,15 @@ namespace caudal::potential
           state.motion.mass[i][j] *= get_mirror_sign(i) * get_mirror_sign(j);
       }
       state.centre[1] *= -1.;
-      for (double &momentum : state.momenta)
-        momentum *= -1.;
-      for (double &gradient : state.energy_gradient)
-        gradient *= -1.;
+      auto momentum = state.torques.momenta.begin(),
+           gradient = state.torques.energy_gradient.begin();
+      for (unsigned int mode = 0; mode < state.rates.size(); ++mode)
+        for (unsigned int a = 0; a < n_drives; ++a)
+        {
+          *momentum++ *= -get_drive_sign(a);
+          for (unsigned int b = a; b < n_drives; ++b)
+            *gradient++ *= -get_drive_sign(a) * get_drive_sign(b);
+        }
       return pack(state);
     }
 
@@ -93,6 +104,7 @@ namespace caudal::potential
                          const MPI_Comm communicator)
       : gait(shape.gait)
       , n_modes(shape.deformation.n_modes())
+      , n_drives(shape.n_drives())
   {
     const bool is_rigid = n_modes == 0;
     const bool mirrors  = !is_rigid && n_phases % 2 == 0 && has_glide_symmetry(gait) &&
@@ -110,7 +122,8 @@ namespace caudal::potential
       rows[k] = pack(shape.compute_state(2. * numbers::PI * k / M, &flow));
       flows[k].assign(&flow(0, 0), &flow(0, 0) + flow.m() * flow.n());
     }
-    exchange(rows, momenta_begin + 2 * n_modes, communicator);
+    exchange(rows, momenta_begin + n_modes * (n_drives + n_drives * (n_drives + 1) / 2),
+             communicator);
     exchange(flows, shape.surface.n_nodes() * n_motions, communicator);
 
     if (mirrors)
@@ -119,7 +132,7 @@ namespace caudal::potential
           find_mirror_images(shape.surface.get_reference_points(), 1);
       for (unsigned int k = 0; k < M / 2; ++k)
       {
-        rows.push_back(mirror(unpack(rows[k], std::vector<double>(n_modes))));
+        rows.push_back(mirror(unpack(rows[k], std::vector<double>(n_modes), n_drives), n_drives));
         flows.emplace_back();
         for (const unsigned int node : nodes)
           for (unsigned int l = 0; l < n_motions; ++l)
@@ -137,17 +150,15 @@ namespace caudal::potential
 
   StrokeState PhaseTable::compute_state(const double psi)
   {
-    return unpack(states.values(psi, 0, states.n_functions()), gait.evaluate(psi).rates);
+    return unpack(states.values(psi, 0, states.n_functions()), gait.evaluate(psi).rates, n_drives);
   }
 
-  std::vector<double> PhaseTable::compute_torques(const double psi)
+  std::vector<double> PhaseTable::compute_torques(const double psi, const Drive &drive)
   {
-    const unsigned int        middle = momenta_begin + n_modes, end = middle + n_modes;
-    std::vector<double>       torques  = states.derivatives(psi, momenta_begin, middle);
-    const std::vector<double> gradient = states.values(psi, middle, end);
-    for (unsigned int i = 0; i < n_modes; ++i)
-      torques[i] -= gradient[i];
-    return torques;
+    const unsigned int middle = momenta_begin + n_modes * n_drives;
+    return compute_lagrange_torques({states.values(psi, momenta_begin, middle),
+                                     states.values(psi, middle, states.n_functions())},
+                                    states.derivatives(psi, momenta_begin, middle), n_modes, drive);
   }
 
   Tensor<1, 3> PhaseTable::compute_centre_rate(const double psi)

@@ -8,10 +8,11 @@ namespace caudal::potential
 {
   namespace
   {
-    /** A point of the surface: place, element of area and velocity. */
+    /** A point of the surface: place, element of area, velocity and velocities of the modes. */
     struct Element
     {
-      Tensor<1, 3> X, N, u;
+      Tensor<1, 3>              X, N, u;
+      std::vector<Tensor<1, 3>> modes;
     };
 
     std::vector<Element> compute_elements(const SwimmingShape &shape, const ReferenceRule &rule,
@@ -36,10 +37,13 @@ namespace caudal::potential
           element.X = at.get_point(q);
           element.N = at.get_area(q);
           element.u = v + cross_product_3d(omega, element.X);
-          for (unsigned int k = 0; k < nodes.size(); ++k)
-            for (unsigned int i = 0; i < gait.c.size(); ++i)
-              element.u += rule.values[q * rule.stride + k] * instant.rate * gait.rates[i] *
-                           motion.modes[i][nodes[k]];
+          element.modes.resize(gait.c.size());
+          for (unsigned int i = 0; i < gait.c.size(); ++i)
+          {
+            for (unsigned int k = 0; k < nodes.size(); ++k)
+              element.modes[i] += rule.values[q * rule.stride + k] * motion.modes[i][nodes[k]];
+            element.u += instant.rate * gait.rates[i] * element.modes[i];
+          }
           elements.push_back(element);
         }
       }
@@ -101,6 +105,8 @@ namespace caudal::potential
       const double               friction =
           compute_friction(parameters, shape.deformation.get_length(), elements);
       Tensor<1, 3> force, torque;
+      Load         load;
+      load.on_modes.resize(shape.deformation.n_modes(), 0.);
       for (const Element &element : elements)
       {
         const double       area   = element.N.norm();
@@ -112,14 +118,15 @@ namespace caudal::potential
             (friction * u_t.norm() * u_t + parameters.drag * std::abs(u_n) * u_n * normal);
         force += df;
         torque += cross_product_3d(element.X, df);
+        for (std::size_t i = 0; i < element.modes.size(); ++i)
+          load.on_modes[i] += df * element.modes[i];
       }
-      Screw result;
       for (unsigned int d = 0; d < 3; ++d)
       {
-        result[d]     = torque[d];
-        result[3 + d] = force[d];
+        load.screw[d]     = torque[d];
+        load.screw[3 + d] = force[d];
       }
-      return result;
+      return load;
     };
   }
 } // namespace caudal::potential

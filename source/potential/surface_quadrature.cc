@@ -80,7 +80,7 @@ namespace caudal::potential
   const ReferenceRule &ReferenceRules::get_rule(Rules &rules, const CellPart &part,
                                                 const Quadrature<2> &quadrature)
   {
-    const auto known = rules.find(part);
+    const auto known = rules.find(part.get_key());
     if (known != rules.end())
       return known->second;
     std::vector<Point<2>> points;
@@ -96,7 +96,8 @@ namespace caudal::potential
         weights.back() *= size;
       }
     }
-    return rules.emplace(part, ReferenceRule(Quadrature<2>(points, weights), fe)).first->second;
+    return rules.emplace(part.get_key(), ReferenceRule(Quadrature<2>(points, weights), fe))
+        .first->second;
   }
 
   const ReferenceRule &ReferenceRules::get_gauss(const unsigned int rule, const CellPart &part)

@@ -6,6 +6,25 @@
 
 namespace caudal::potential
 {
+  namespace
+  {
+    /** Calls @p add with j, cos(j psi), sin(j psi) for j < n: by rotations, their errors add up to
+     * j rounding errors. */
+    template <class Function>
+    void visit_harmonics(const double psi, const unsigned int n, const Function &add)
+    {
+      const double cosine = std::cos(psi), sine = std::sin(psi);
+      double       c = 1., s = 0.;
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        add(j, c, s);
+        const double next = c * cosine - s * sine;
+        s                 = s * cosine + c * sine;
+        c                 = next;
+      }
+    }
+  } // namespace
+
   TrigonometricTable::TrigonometricTable(const std::vector<std::vector<double>> &samples)
   {
     const unsigned int M = samples.size(), n = samples[0].size();
@@ -32,12 +51,10 @@ namespace caudal::potential
                                                  const unsigned int last) const
   {
     std::vector<double> result(last - first, 0.);
-    for (unsigned int j = 0; j < cosines.size(); ++j)
-    {
-      const double cosine = std::cos(j * psi), sine = std::sin(j * psi);
+    visit_harmonics(psi, cosines.size(), [&](unsigned int j, double cosine, double sine) {
       for (unsigned int i = first; i < last; ++i)
         result[i - first] += cosine * cosines[j][i] + sine * sines[j][i];
-    }
+    });
     return result;
   }
 
@@ -45,12 +62,10 @@ namespace caudal::potential
                                                       const unsigned int last) const
   {
     std::vector<double> result(last - first, 0.);
-    for (unsigned int j = 1; j < cosines.size(); ++j)
-    {
-      const double cosine = j * std::cos(j * psi), sine = j * std::sin(j * psi);
+    visit_harmonics(psi, cosines.size(), [&](unsigned int j, double cosine, double sine) {
       for (unsigned int i = first; i < last; ++i)
-        result[i - first] += cosine * sines[j][i] - sine * cosines[j][i];
-    }
+        result[i - first] += j * (cosine * sines[j][i] - sine * cosines[j][i]);
+    });
     return result;
   }
 } // namespace caudal::potential

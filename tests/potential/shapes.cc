@@ -61,6 +61,47 @@ void check_profiles()
             << below(std::abs(rate - std::cos(13.)), 1e-4) << std::endl;
 }
 
+// Half-widths of the paper's fish one: both interpolations go through the stations; `spline` is
+// the natural cubic spline of ln(a/E) and overshoots, `limited` stays between its neighbours.
+void check_interpolation()
+{
+  const std::vector<double> s = {0.03, 0.35, 0.8, 0.93, 0.99},
+                            a = {0.4e-3, 10e-3, 1.7e-3, 1e-3, 0.4e-3};
+  ShapeParameters     parameters;
+  const Surface       surface({1, 1, ""});
+  const auto          round = [](const double x) { return 2. * std::sqrt(x * (1. - x)); };
+  std::vector<double> logarithms;
+  for (unsigned int i = 0; i < s.size(); ++i)
+  {
+    parameters.stations += (i > 0 ? "; " : "") + Patterns::Tools::to_string(s[i]) + ", " +
+                           Patterns::Tools::to_string(a[i]) + ", 1e-3";
+    logarithms.push_back(std::log(a[i] / round(s[i])));
+  }
+  const CubicSpline spline(s, logarithms, false);
+  for (const std::string type : {"spline", "limited"})
+  {
+    parameters.interpolation = type;
+    const auto shape         = create_shape(parameters, surface);
+    double     miss = 0., overshoot = 0., from_spline = 0.;
+    for (unsigned int i = 0; i < s.size(); ++i)
+    {
+      const double length = parameters.length;
+      miss                = std::max(miss, std::abs(shape->half_width(s[i] * length) / a[i] - 1.));
+      for (double t = 0.; i + 1 < s.size() && t <= 1.; t += 0.01)
+      {
+        const double x         = s[i] + t * (s[i + 1] - s[i]);
+        const double value     = std::log(shape->half_width(x * length) / round(x));
+        const auto [low, high] = std::minmax(logarithms[i], logarithms[i + 1]);
+        overshoot              = std::max({overshoot, value - high, low - value});
+        from_spline            = std::max(from_spline, std::abs(value - spline.evaluate(x).first));
+      }
+    }
+    std::cout << "stations, " << type << ": passed through " << below(miss, 1e-12)
+              << ", between its neighbours " << (overshoot < 1e-12 ? "yes" : "no")
+              << ", natural spline " << (from_spline < 1e-12 ? "yes" : "no") << std::endl;
+  }
+}
+
 // The body's kinetic energy for given rates of all motions, by sampling points inside. They
 // are moved by differences of the positions of the section that they belong to.
 void check_body(const std::string &name, const GaitParameters &gait_parameters,
@@ -160,6 +201,7 @@ int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_profiles();
+  check_interpolation();
   check_ellipsoid();
   check_file();
 

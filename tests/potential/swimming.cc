@@ -3,10 +3,12 @@
 #include <caudal/potential/kirchhoff.h>
 #include <caudal/potential/motion_sample.h>
 #include <caudal/potential/phase_table.h>
+#include <caudal/potential/resistance.h>
 
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <numeric>
 
 using namespace caudal::potential;
 
@@ -24,7 +26,7 @@ struct Swimmer
 {
   Swimmer(const SurfaceParameters &cells, const ShapeParameters &shape_parameters,
           const GaitParameters &gait_parameters, const unsigned int n_phases,
-          const bool torques = false)
+          const Torques torques = Torques::none)
       : surface(cells)
       , shape(create_shape(shape_parameters, surface))
       , gait(create_gait(gait_parameters))
@@ -95,7 +97,7 @@ void check_bent_spheroid()
   Swimmer      swimmer({12, 6, ""}, shape, gait, 16);
   const double mass =
       swimmer.deformation->compute_body_mass(swimmer.gait->evaluate(0.).c)(3, 3) * 1000.;
-  const EnergyAverages energy = average_stroke(swimmer.table, 1., 64, false);
+  const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
   std::cout << "bent spheroid: displacement "
             << below(std::abs(swimmer.swim(1., 1).norm() / 1.101e-2 - 1.), 0.005) << ", energy "
             << below(std::abs(energy.mean_energy() / mass / 5.304e-4 - 1.), 0.005) << std::endl;
@@ -141,7 +143,7 @@ void check_energy_and_table()
   for (const double amplitude : {10., 30.})
   {
     gait.amplitude = amplitude;
-    Swimmer      swimmer({4, 3, ""}, fish, gait, 32, true);
+    Swimmer      swimmer({4, 3, ""}, fish, gait, 32, Torques::from_rest);
     double       error = 0., largest = 0., work = 0.;
     const double h      = 1e-3;
     const auto   energy = [&](const double psi) {
@@ -151,7 +153,7 @@ void check_energy_and_table()
     for (unsigned int k = 0; k < n; ++k)
     {
       const double psi     = 2. * numbers::PI * (k + 0.5) / n;
-      const auto   torques = swimmer.table.compute_torques(psi);
+      const auto   torques = swimmer.table.compute_torques(psi, Drive());
       const auto   rates   = swimmer.gait->evaluate(psi).rates;
       double       power   = 0.;
       for (unsigned int i = 0; i < 6; ++i)
@@ -170,15 +172,103 @@ void check_energy_and_table()
       const auto         brute = create_brute_force(swimmer.swimming_shape, 1e-3);
       const unsigned int steps = 24;
       const Tensor<1, 3> table = swimmer.swim(1., 1, nullptr, steps);
-      std::cout
-          << ", table against new surfaces "
-          << below((swimmer.swim(1., 1, brute.get(), steps) - table).norm() / table.norm(), 1e-6)
-          << ", torques "
-          << below(std::abs(brute->compute_torques(0.4)[3] / swimmer.table.compute_torques(0.4)[3] -
-                            1.),
-                   1e-4);
+      std::cout << ", table against new surfaces "
+                << below((swimmer.swim(1., 1, brute.get(), steps) - table).norm() / table.norm(),
+                         1e-6)
+                << ", torques "
+                << below(std::abs(brute->compute_torques(0.4, Drive())[3] /
+                                      swimmer.table.compute_torques(0.4, Drive())[3] -
+                                  1.),
+                         1e-4);
     }
     std::cout << std::endl;
+  }
+}
+
+// Resistance follows from a dissipation function D, F_i = dD/dc_i' and f_x = dD/dv_x: by
+// differences, d^2 D/(d rate dv_x) from both.
+void check_load(const ExternalForce &force, const std::vector<double> &rates)
+{
+  MotionInstant at{0.7, 2., Screw({0.1, -0.2, 0.3, -0.02, 0.01, 0.03})};
+  const auto    change = [&](double &variable, const auto &get) {
+    const double middle = variable, step = 1e-4 * std::abs(middle);
+    variable           = middle + step;
+    const double above = get(force(at));
+    variable           = middle - step;
+    const double under = get(force(at));
+    variable           = middle;
+    return (above - under) / (2. * step);
+  };
+  const double by_rate = change(at.rate, [](const Load &load) { return load.screw[3]; });
+  const double by_v    = change(at.velocity[3], [&](const Load &load) {
+    return std::inner_product(rates.begin(), rates.end(), load.on_modes.begin(), 0.);
+  });
+  std::cout << "resistance: of body and joints from one function "
+            << below(std::abs(by_v / by_rate - 1.), 1e-4) << std::endl;
+}
+
+// With a push at the start and with resistance: the work of joints and external forces is the
+// change of the kinetic energy; torques of the table are those of new surfaces.
+void check_torques_in_motion()
+{
+  ShapeParameters fish;
+  fish.stations = salmon;
+  GaitParameters gait;
+  gait.type      = "sine";
+  gait.amplitude = 10.; // of which a coarse surface needs no more phases
+  Swimmer              swimmer({3, 2, ""}, fish, gait, 32, Torques::any);
+  ResistanceParameters resistance;
+  resistance.drag     = 1.;
+  resistance.friction = 0.1; // Blasius's law has no dissipation function
+  for (const bool active : {false, true})
+  {
+    resistance.active = active;
+    MotionProblem problem;
+    problem.model     = &swimmer.table;
+    problem.rate      = 2. * numbers::PI;
+    problem.length    = 0.1;
+    problem.tolerance = 1e-12;
+    problem.force     = create_resistance(resistance, swimmer.swimming_shape);
+    BodyState start;
+    start.impulse = Screw({1e-6, -2e-6, 3e-6, -4e-4, 1e-4, 2e-4});
+
+    std::vector<MotionSample> samples;
+    std::vector<double>       times, powers;
+    const double              step = 5e-3;
+    for (unsigned int k = 0; k <= 100; ++k)
+      times.push_back(k * step);
+    integrate_motion(problem, start, times, [&](const BodyState &body, const double time) {
+      samples.push_back(compute_sample(problem, body, time, true));
+      const Screw &velocity = samples.back().velocity;
+      powers.push_back(samples.back().get_power());
+      if (!active)
+        return;
+      const Load load  = problem.force({problem.rate * time, problem.rate, velocity});
+      const auto rates = swimmer.gait->evaluate(problem.rate * time).rates;
+      powers.back() += load.screw * velocity;
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        powers.back() += load.on_modes[i] * problem.rate * rates[i];
+    });
+    double error = 0., largest = 0.;
+    for (unsigned int k = 3; k + 3 < times.size(); ++k)
+    {
+      const auto change = [&](const unsigned int n) {
+        return (samples[k + n].energy - samples[k - n].energy) / step;
+      };
+      const double rate = (45. * change(1) - 9. * change(2) + change(3)) / 60.;
+      error             = std::max(error, std::abs(powers[k] - rate));
+      largest           = std::max(largest, std::abs(rate));
+    }
+    if (active)
+      check_load(problem.force, swimmer.gait->evaluate(0.7).rates);
+    const auto   brute = create_brute_force(swimmer.swimming_shape, 1e-3);
+    const Drive  drive{problem.rate, samples[50].body.impulse, start.impulse};
+    const double argument = problem.rate * times[50];
+    const double of_new   = brute->compute_torques(argument, drive)[3],
+                 of_table = swimmer.table.compute_torques(argument, drive)[3];
+    std::cout << "pushed" << (active ? ", with resistance" : "") << ": energy balance "
+              << below(error / largest, 1e-6) << ", torques against new surfaces "
+              << below(std::abs(of_table / of_new - 1.), 1e-4) << std::endl;
   }
 }
 
@@ -213,7 +303,7 @@ void check_free_ellipsoid()
     const Tensor<1, 3> inertial_Pi = body.rotate(Pi);
     const Tensor<1, 3> inertial_Lambda =
         body.rotate(Lambda) + cross_product_3d(body.position, inertial_Pi);
-    const double energy = compute_sample(swimmer.table, body, time, 1., false).energy;
+    const double energy = compute_sample(problem, body, time, false).energy;
     if (time == 0.)
     {
       first_Pi     = inertial_Pi;
@@ -240,5 +330,6 @@ int main(int argc, char **argv)
   check_bent_spheroid();
   check_strokes();
   check_energy_and_table();
+  check_torques_in_motion();
   check_free_ellipsoid();
 }

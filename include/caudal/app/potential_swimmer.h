@@ -30,6 +30,7 @@ namespace caudal
     bool                                    uses_table() const;
     bool                                    is_from_rest() const; // and without external forces
     bool                                    has_torques() const;
+    potential::Torques                      get_torques() const;
     std::unique_ptr<potential::StrokeModel> create_model(double increment, Log &log);
     potential::MotionProblem make_problem(potential::StrokeModel &model, double rate) const;
     SwimSummary              make_summary(double frequency) const;

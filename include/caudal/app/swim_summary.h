@@ -18,7 +18,7 @@ namespace caudal
     double mass      = 0.; ///< of the body [kg]
 
     double distance = 0.; ///< of the centre of mass from its start, at T [m]
-    double stroke   = 0.; ///< displacement in a stroke, mean of all whole ones [m]
+    double stroke   = 0.; ///< the same from stroke to stroke, mean of all whole ones [m]
     double turn     = 0.; ///< in a stroke, about e_3 [rad]
 
     unsigned int n_strokes   = 0;     ///< whole ones
@@ -29,7 +29,10 @@ namespace caudal
     /** distance/T [m/s] */
     double get_speed() const;
 
-    /** Radius of the circle on which the body swims; 0 if it swims straight [m]. */
+    /**
+     * Radius of the circle on which the centre of mass stands at the ends of the strokes; 0 if
+     * the body swims straight [m].
+     */
     double get_radius() const;
 
     /** Gross power by mass and speed [J/(kg m)]. */
@@ -45,15 +48,24 @@ namespace caudal
   /** The same for programs: a row for each frequency, the names of the columns first. */
   void print_csv(std::ostream &out, const std::vector<SwimSummary> &summaries);
 
-  /** Adds up displacements and turns from the body's state at the end of each stroke. */
+  /** The same with the units and constants of the body, an object of JSON. */
+  void print_json(std::ostream &out, const std::vector<SwimSummary> &summaries);
+
+  /** Adds up displacements and turns from the samples at the end of each stroke. */
   class StrokeCounter
   {
   public:
-    void add(const potential::BodyState &body);
+    void add(const potential::MotionSample &sample);
     void fill(SwimSummary &summary) const;
 
   private:
-    std::vector<potential::BodyState> ends;
+    struct End
+    {
+      dealii::Tensor<1, 3> centre;
+      double               heading; // [rad]
+    };
+
+    std::vector<End> ends;
   };
 } // namespace caudal
 

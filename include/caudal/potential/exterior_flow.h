@@ -70,6 +70,12 @@ namespace caudal::potential
     compute_energy_gradient(const std::vector<double>                    &u,
                             const std::vector<std::vector<Tensor<1, 3>>> &mode_rates);
 
+    /**
+     * Whether the energy of a sum of motions @p u and @p v can differ from the sum of their
+     * energies: in symmetric shapes, only if some parts of them have the same symmetry.
+     */
+    bool interact(const Vector<double> &u, const Vector<double> &v) const;
+
   private:
     /** The equations of potentials of one symmetry; both unknowns and equations at nodes. */
     struct Equations

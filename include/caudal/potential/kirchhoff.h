@@ -33,8 +33,15 @@ namespace caudal::potential
     Screw  velocity; ///< (omega, v) in the body's frame
   };
 
-  /** External torque about the nose and force, in the body's frame; none if empty. */
-  using ExternalForce = std::function<Screw(const MotionInstant &)>;
+  /** External forces. */
+  struct Load
+  {
+    Screw               screw;    ///< torque about the nose and force, in the body's frame
+    std::vector<double> on_modes; ///< int df.dX/dc_i; none if there are no forces [N m]
+  };
+
+  /** None if empty. */
+  using ExternalForce = std::function<Load(const MotionInstant &)>;
 
   /** How the equations are integrated. */
   enum class Integrator
@@ -58,6 +65,9 @@ namespace caudal::potential
     Integrator    integrator = Integrator::adaptive;
     ExternalForce force;
   };
+
+  /** d(Lambda, Pi)/dt by Kirchhoff's equations, see integrate_motion(). */
+  Screw compute_impulse_rate(const Screw &impulse, const Screw &velocity, const Screw &external);
 
   /**
    * Kirchhoff's equations of a deforming body in a fluid at rest (H. Lamb, Hydrodynamics, 6th

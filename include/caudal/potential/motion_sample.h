@@ -16,17 +16,17 @@ namespace caudal::potential
     Tensor<1, 3>        centre;          ///< of mass [m]
     Tensor<1, 3>        centre_velocity; ///< [m/s]
     double              energy = 0.;     ///< kinetic, of body and fluid [J]
-    std::vector<double> torques;         ///< Q_i of the modes [N m]; none if not known
+    std::vector<double> torques;         ///< Q_i of the joints [N m]; none if not known
     std::vector<double> powers;          ///< Q_i dc_i/dt [W]
 
     double get_power() const; ///< sum of the powers [W]
   };
 
   /**
-   * Everything at @p time of a body that moves with the gait's rate of @p rate [rad/s]. Torques
-   * if it @p has_torques: it swims from rest without external forces.
+   * Everything at @p time of a body that moves as integrate_motion() says; torques if it
+   * @p has_torques, which the model has to know for such a swim (see Torques).
    */
-  MotionSample compute_sample(StrokeModel &model, const BodyState &body, double time, double rate,
+  MotionSample compute_sample(const MotionProblem &problem, const BodyState &body, double time,
                               bool has_torques);
 
   /** Averages over time. */
@@ -35,6 +35,9 @@ namespace caudal::potential
   public:
     /** @p weight is the sample's share of time [s]. */
     void add(const MotionSample &sample, double weight);
+
+    /** Of a swim from rest: the same at another rate, if these are the averages at 1 rad/s. */
+    EnergyAverages at_rate(double rate) const;
 
     double mean_energy() const;         ///< <T> [J]
     double mean_positive_power() const; ///< <max(sum_i Q_i c_i', 0)> [W]
@@ -48,11 +51,10 @@ namespace caudal::potential
   };
 
   /**
-   * The averages over one stroke from rest, at @p n_phases equidistant phases: the work of the
-   * whole cycle is independent of where it begins.
+   * The averages over one stroke from rest at the rate of 1 rad/s, at @p n_phases equidistant
+   * phases: the work of the whole cycle is independent of where it begins.
    */
-  EnergyAverages average_stroke(StrokeModel &model, double rate, unsigned int n_phases,
-                                bool has_torques);
+  EnergyAverages average_stroke(StrokeModel &model, unsigned int n_phases, bool has_torques);
 } // namespace caudal::potential
 
 #endif

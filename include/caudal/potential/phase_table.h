@@ -21,7 +21,7 @@ namespace caudal::potential
 
     MotionCoefficients  compute_motion(double psi) override;
     StrokeState         compute_state(double psi) override;
-    std::vector<double> compute_torques(double psi) override;
+    std::vector<double> compute_torques(double psi, const Drive &drive) override;
     Tensor<1, 3>        compute_centre_rate(double psi) override;
     FullMatrix<double>  compute_potentials(double psi) override;
 
@@ -33,7 +33,7 @@ namespace caudal::potential
 
   private:
     const Gait        &gait;
-    const unsigned int n_modes;
+    const unsigned int n_modes, n_drives;
     unsigned int       n_computed;
     TrigonometricTable states;
     TrigonometricTable potentials; // by node and motion

@@ -6,8 +6,8 @@
 #include <deal.II/base/quadrature.h>
 
 #include <array>
-#include <map>
-#include <tuple>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace caudal::potential
@@ -44,9 +44,10 @@ namespace caudal::potential
       return part;
     }
 
-    bool operator<(const CellPart &other) const
+    /** A number of its own for each part with levels below 16. */
+    std::uint64_t get_key() const
     {
-      return std::tie(levels, indices) < std::tie(other.levels, other.indices);
+      return ((std::uint64_t(levels[0]) << 4 | levels[1]) << 16 | indices[0]) << 16 | indices[1];
     }
   };
 
@@ -76,7 +77,7 @@ namespace caudal::potential
     const ReferenceRule &get_outline(const CellPart &part);
 
   private:
-    using Rules = std::map<CellPart, ReferenceRule>;
+    using Rules = std::unordered_map<std::uint64_t, ReferenceRule>; // by CellPart::get_key()
 
     const ReferenceRule &get_rule(Rules &rules, const CellPart &part,
                                   const Quadrature<2> &quadrature);
