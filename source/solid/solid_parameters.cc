@@ -78,7 +78,13 @@ namespace caudal
                            " kg/m^3. Give a positive number, or 0 for the fluid's density."));
     grid.check(get_path());
     for (unsigned int r = 0; r < regions.size(); ++r)
-      region_parameters[r]->check(get_path() + "/Region " + regions[r]);
+    {
+      const std::string path = get_path() + "/Region " + regions[r];
+      region_parameters[r]->check(path);
+      AssertThrow(dim == 3 || region_parameters[r]->material.thin_direction != "z",
+                  ExcMessage(path + "/Thin direction: the value is z, which is normal to the "
+                                    "plane of this body. Give none, x or y."));
+    }
   }
 
   template struct SolidParameters<2>;

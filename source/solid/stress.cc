@@ -215,6 +215,107 @@ namespace caudal
       const double                            kappa;
     };
 
+    /**
+     * Any other material without the stress across a thin part of the body, whose faces
+     * have the normal N: W(F*) with
+     *   F* = F + (1 - J)/|c|^2 c N^T,  c = cof(F) N,  det F* = 1,
+     * F stretched along the normal c of the deformed faces to the reference volume.
+     */
+    template <int dim>
+    class ThinMaterial : public StressModel<dim>
+    {
+    public:
+      ThinMaterial(std::unique_ptr<StressModel<dim>> material, const unsigned int direction)
+          : material(std::move(material))
+          , direction(direction)
+      {}
+
+      double strain_energy(const Tensor<2, dim> &F) const override
+      {
+        return material->strain_energy(Stretch(F, direction).stretched_F);
+      }
+
+      /** With t = P(F*) N: P(F*) - t.c/|c|^2 cof F + (1 - J) w.dc/dF, see Stretch. */
+      Tensor<2, dim> first_piola_kirchhoff_stress(const Tensor<2, dim> &F) const override
+      {
+        const Stretch        stretch(F, direction);
+        const Tensor<2, dim> P = material->first_piola_kirchhoff_stress(stretch.stretched_F);
+        const Tensor<1, dim> t = get_column(P);
+        return P - stretch.get_normal_stress(t) * stretch.cofactor +
+               (1. - stretch.J) * stretch.get_turning_stress(t);
+      }
+
+      /** The second derivative of W(F*) where J = 1. */
+      Tensor<4, dim> tangent(const Tensor<2, dim> &F) const override
+      {
+        const Stretch         stretch(F, direction);
+        const Tensor<2, dim>  P   = material->first_piola_kirchhoff_stress(stretch.stretched_F);
+        const Tensor<4, dim>  A   = material->tangent(stretch.stretched_F);
+        const Tensor<1, dim>  t   = get_column(P);
+        const Tensor<2, dim> &cof = stretch.cofactor;
+        const double          s   = stretch.get_normal_stress(t);
+
+        // A applied to the stretch of a unit change of volume
+        Tensor<2, dim> by_volume;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int J = 0; J < dim; ++J)
+            by_volume[i][J] = get_column(A[i][J]) * stretch.c / stretch.c.norm_square();
+        const double         twice = get_column(by_volume) * stretch.c / stretch.c.norm_square();
+        const Tensor<2, dim> mixed = by_volume + stretch.get_turning_stress(t);
+        return make_tangent<dim>([&](auto i, auto J, auto k, auto L) {
+          return A[i][J][k][L] - cof[i][J] * mixed[k][L] - mixed[i][J] * cof[k][L] +
+                 twice * cof[i][J] * cof[k][L] -
+                 s / stretch.J * (cof[i][J] * cof[k][L] - cof[i][L] * cof[k][J]);
+        });
+      }
+
+    private:
+      struct Stretch
+      {
+        Stretch(const Tensor<2, dim> &F, const unsigned int direction)
+            : J(positive_determinant(F))
+            , inverse(inverse_transpose(F))
+            , cofactor(J * inverse)
+            , stretched_F(F)
+        {
+          for (unsigned int i = 0; i < dim; ++i)
+            c[i] = cofactor[i][direction];
+          for (unsigned int i = 0; i < dim; ++i)
+            stretched_F[i][direction] += (1. - J) / c.norm_square() * c[i];
+        }
+
+        /** t.c/|c|^2, the work of the traction t on a unit change of volume. */
+        double get_normal_stress(const Tensor<1, dim> &t) const
+        {
+          return t * c / c.norm_square();
+        }
+
+        /** w.dc/dF with w = (t - 2 (t.c) c/|c|^2)/|c|^2, the derivative of t.c/|c|^2 by c. */
+        Tensor<2, dim> get_turning_stress(const Tensor<1, dim> &t) const
+        {
+          const Tensor<1, dim> w = (t - 2. * get_normal_stress(t) * c) / c.norm_square();
+          return (w * c) * inverse - outer_product(c, w * inverse);
+        }
+
+        const double         J;
+        const Tensor<2, dim> inverse; // transposed
+        const Tensor<2, dim> cofactor;
+        Tensor<1, dim>       c;
+        Tensor<2, dim>       stretched_F;
+      };
+
+      Tensor<1, dim> get_column(const Tensor<2, dim> &A) const
+      {
+        Tensor<1, dim> column;
+        for (unsigned int i = 0; i < dim; ++i)
+          column[i] = A[i][direction];
+        return column;
+      }
+
+      const std::unique_ptr<StressModel<dim>> material;
+      const unsigned int                      direction;
+    };
+
     template <int dim>
     const Factory<StressModel<dim>, const MaterialParameters &> &get_factory()
     {
@@ -251,6 +352,13 @@ namespace caudal
                       "Poisson ratio nu [-] of St. Venant-Kirchhoff's material; the neo-Hookean "
                       "ones are incompressible.",
                       Patterns::Double());
+    prm.add_parameter(
+        "Thin direction", thin_direction,
+        "For a thin part of the body, the direction across it in the body's frame: the "
+        "stress across it is left to the fluid's pressure. This does not change an "
+        "incompressible material, but the pressure then does not jump at its faces by "
+        "the stress of the bent body, and loads on it become more exact.",
+        Patterns::Selection("none|x|y|z"));
     prm.add_parameter("Volumetric stabilisation", volumetric_stabilisation,
                       "Modulus kappa [Pa] of the energy kappa/2 (ln J)^2 that is added to any "
                       "material against volume errors of the interpolated motion.",
@@ -299,6 +407,9 @@ namespace caudal
   {
     auto         material = get_factory<dim>().create(parameters.material, parameters);
     const double kappa    = parameters.volumetric_stabilisation;
+    if (parameters.thin_direction != "none")
+      material = std::make_unique<ThinMaterial<dim>>(std::move(material),
+                                                     parameters.thin_direction[0] - 'x');
     if (kappa > 0.)
       return std::make_unique<VolumetricallyStabilised<dim>>(std::move(material), kappa);
     return material;

@@ -55,6 +55,13 @@ namespace caudal
    * `St. Venant-Kirchhoff`: P = F S, S = lambda tr(E) I + 2 mu E, E = (C - I)/2.
    * `none`: no elastic stress.
    *
+   * With a `thin direction` N, W is taken where F has been stretched along the normal
+   * of the deformed faces to J = 1, so that there is no stress across them. Where J = 1
+   * this changes the material's stress by a pressure, which the fluid's makes up for,
+   * and the motion not at all. But the pressure of the fluid then does not jump at the
+   * faces by the stress of the bent body, which its elements can't follow inside of a
+   * cell and which would load the body with what they miss of it.
+   *
    * Each takes the volumetric stabilisation W += kappa/2 (ln J)^2,
    * P += kappa ln(J) F^-T, which penalises the volume errors that interpolation
    * of the velocity leaves in the body (Vadala-Roth et al., Comput. Methods
@@ -66,6 +73,7 @@ namespace caudal
     double      youngs_modulus           = 2.4e6;
     double      shear_modulus            = 0.;
     double      poisson_ratio            = 0.4;
+    std::string thin_direction           = "none";
     double      volumetric_stabilisation = 0.;
 
     /** Declares the entries in the section that @p prm is in. */
