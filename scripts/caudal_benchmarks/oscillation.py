@@ -58,12 +58,16 @@ def analyse(time, values, scale):
         return Oscillation((values[half].max() + values[half].min()) / 2, np.ptp(values[half]) / 2,
                            0., time[half][0], values[half].max(),
                            "neither steady nor periodic: no whole period")
-    beats = [values[(time >= a) & (time <= b)] for a, b in zip(rises, rises[1:])]
-    tops = np.array([beat.max() for beat in beats])
-    bottoms = np.array([beat.min() for beat in beats])
-    lengths, amplitudes = np.diff(rises), (tops - bottoms) / 2
+    # Drag and x of a flag have two periods a swing, one for each side, which differ by its
+    # mean deflection; the references give the extremes of both.
+    swings = list(zip(rises, rises[2:])) or [tuple(rises)]
+    pairs = [values[(time >= a) & (time <= b)] for a, b in swings]
+    tops = np.array([pair.max() for pair in pairs])
+    bottoms = np.array([pair.min() for pair in pairs])
+    lengths = np.array([b - a for a, b in swings]) / min(2, len(rises) - 1)
+    amplitudes = (tops - bottoms) / 2
     spread = max(np.ptp(lengths) / lengths.mean(), np.ptp(amplitudes) / amplitudes.mean())
     word = "periodic" if spread < TOLERANCE else "not periodic"
     return Oscillation(((tops + bottoms) / 2).mean(), amplitudes.mean(), 1 / lengths.mean(),
                        rises[0], tops.mean(), f"{word}: periods and amplitudes of the last "
-                       f"{len(beats)} periods differ by {100 * spread:.2g} %")
+                       f"{len(rises) - 1} periods differ by {100 * spread:.2g} %")
