@@ -230,9 +230,9 @@ CASES = {case.name: case for case in (
     Case("csm1", "the flag without fluid, static", "5 s", evaluate_csm(-7.187, -66.10)),
     Case("csm2", "the same, four times as stiff", "5 s", evaluate_csm(-0.4690, -16.97)),
     Case("csm3", "the flag without fluid, swinging", "10 min", evaluate_csm3, curves=TIP),
-    Case("fsi1", "elastic flag, steady", "10 min", evaluate_fsi1, curves=TIP + FORCES),
-    Case("fsi2", "elastic flag ten times as dense as the fluid", "1 h", evaluate_fsi2,
+    Case("fsi1", "elastic flag, steady", "3 min", evaluate_fsi1, curves=TIP + FORCES),
+    Case("fsi2", "elastic flag ten times as dense as the fluid", "35 min", evaluate_fsi2,
          curves=TIP + FORCES),
-    Case("fsi3", "elastic flag, the paper's benchmark", "30 min", evaluate_fsi3,
+    Case("fsi3", "elastic flag, the paper's benchmark", "15 min", evaluate_fsi3,
          curves=TIP + FORCES),
 )}
