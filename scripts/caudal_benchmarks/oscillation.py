@@ -64,7 +64,7 @@ def analyse(time, values, scale):
     pairs = [values[(time >= a) & (time <= b)] for a, b in swings]
     tops = np.array([pair.max() for pair in pairs])
     bottoms = np.array([pair.min() for pair in pairs])
-    lengths = np.array([b - a for a, b in swings]) / min(2, len(rises) - 1)
+    lengths = np.diff(rises)
     amplitudes = (tops - bottoms) / 2
     spread = max(np.ptp(lengths) / lengths.mean(), np.ptp(amplitudes) / amplitudes.mean())
     word = "periodic" if spread < TOLERANCE else "not periodic"

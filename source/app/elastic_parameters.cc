@@ -60,11 +60,17 @@ namespace caudal
                            std::to_string(solid->density) +
                            " kg/m^3, but there is no fluid to take it from. Give a positive one."));
     for (unsigned int r = 0; r < solid->regions.size(); ++r)
+    {
+      const std::string path = solid->get_path() + "/Region " + solid->regions[r];
+      AssertThrow(solid->region_parameters[r]->material.thin_direction == "none",
+                  ExcMessage(path + "/Thin direction: the elastic model has no fluid whose "
+                                    "pressure takes the stress that this leaves out. Give none."));
       AssertThrow(solid->region_parameters[r]->feedback_stiffness == 0 &&
                       solid->region_parameters[r]->feedback_damping == 0,
-                  ExcMessage(solid->get_path() + "/Region " + solid->regions[r] +
+                  ExcMessage(path +
                              "/Feedback stiffness, Feedback damping: the elastic model has no "
                              "feedback forces. Leave them at 0; Motion = fixed holds a region."));
+    }
     output.check();
   }
 

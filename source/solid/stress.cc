@@ -225,22 +225,22 @@ namespace caudal
     class ThinMaterial : public StressModel<dim>
     {
     public:
-      ThinMaterial(std::unique_ptr<StressModel<dim>> material, const unsigned int direction)
+      ThinMaterial(std::unique_ptr<StressModel<dim>> material, const Tensor<1, dim> &normal)
           : material(std::move(material))
-          , direction(direction)
+          , normal(normal)
       {}
 
       double strain_energy(const Tensor<2, dim> &F) const override
       {
-        return material->strain_energy(Stretch(F, direction).stretched_F);
+        return material->strain_energy(Stretch(F, normal).stretched_F);
       }
 
       /** With t = P(F*) N: P(F*) - t.c/|c|^2 cof F + (1 - J) w.dc/dF, see Stretch. */
       Tensor<2, dim> first_piola_kirchhoff_stress(const Tensor<2, dim> &F) const override
       {
-        const Stretch        stretch(F, direction);
+        const Stretch        stretch(F, normal);
         const Tensor<2, dim> P = material->first_piola_kirchhoff_stress(stretch.stretched_F);
-        const Tensor<1, dim> t = get_column(P);
+        const Tensor<1, dim> t = P * normal;
         return P - stretch.get_normal_stress(t) * stretch.cofactor +
                (1. - stretch.J) * stretch.get_turning_stress(t);
       }
@@ -248,10 +248,10 @@ namespace caudal
       /** The second derivative of W(F*) where J = 1. */
       Tensor<4, dim> tangent(const Tensor<2, dim> &F) const override
       {
-        const Stretch         stretch(F, direction);
+        const Stretch         stretch(F, normal);
         const Tensor<2, dim>  P   = material->first_piola_kirchhoff_stress(stretch.stretched_F);
         const Tensor<4, dim>  A   = material->tangent(stretch.stretched_F);
-        const Tensor<1, dim>  t   = get_column(P);
+        const Tensor<1, dim>  t   = P * normal;
         const Tensor<2, dim> &cof = stretch.cofactor;
         const double          s   = stretch.get_normal_stress(t);
 
@@ -259,8 +259,8 @@ namespace caudal
         Tensor<2, dim> by_volume;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int J = 0; J < dim; ++J)
-            by_volume[i][J] = get_column(A[i][J]) * stretch.c / stretch.c.norm_square();
-        const double         twice = get_column(by_volume) * stretch.c / stretch.c.norm_square();
+            by_volume[i][J] = stretch.get_normal_stress(A[i][J] * normal);
+        const double         twice = stretch.get_normal_stress(by_volume * normal);
         const Tensor<2, dim> mixed = by_volume + stretch.get_turning_stress(t);
         return make_tangent<dim>([&](auto i, auto J, auto k, auto L) {
           return A[i][J][k][L] - cof[i][J] * mixed[k][L] - mixed[i][J] * cof[k][L] +
@@ -272,17 +272,13 @@ namespace caudal
     private:
       struct Stretch
       {
-        Stretch(const Tensor<2, dim> &F, const unsigned int direction)
+        Stretch(const Tensor<2, dim> &F, const Tensor<1, dim> &normal)
             : J(positive_determinant(F))
             , inverse(inverse_transpose(F))
             , cofactor(J * inverse)
-            , stretched_F(F)
-        {
-          for (unsigned int i = 0; i < dim; ++i)
-            c[i] = cofactor[i][direction];
-          for (unsigned int i = 0; i < dim; ++i)
-            stretched_F[i][direction] += (1. - J) / c.norm_square() * c[i];
-        }
+            , c(cofactor * normal)
+            , stretched_F(F + (1. - J) / c.norm_square() * outer_product(c, normal))
+        {}
 
         /** t.c/|c|^2, the work of the traction t on a unit change of volume. */
         double get_normal_stress(const Tensor<1, dim> &t) const
@@ -300,20 +296,12 @@ namespace caudal
         const double         J;
         const Tensor<2, dim> inverse; // transposed
         const Tensor<2, dim> cofactor;
-        Tensor<1, dim>       c;
-        Tensor<2, dim>       stretched_F;
+        const Tensor<1, dim> c;
+        const Tensor<2, dim> stretched_F;
       };
 
-      Tensor<1, dim> get_column(const Tensor<2, dim> &A) const
-      {
-        Tensor<1, dim> column;
-        for (unsigned int i = 0; i < dim; ++i)
-          column[i] = A[i][direction];
-        return column;
-      }
-
       const std::unique_ptr<StressModel<dim>> material;
-      const unsigned int                      direction;
+      const Tensor<1, dim>                    normal;
     };
 
     template <int dim>
@@ -408,8 +396,11 @@ namespace caudal
     auto         material = get_factory<dim>().create(parameters.material, parameters);
     const double kappa    = parameters.volumetric_stabilisation;
     if (parameters.thin_direction != "none")
-      material = std::make_unique<ThinMaterial<dim>>(std::move(material),
-                                                     parameters.thin_direction[0] - 'x');
+    {
+      Tensor<1, dim> normal;
+      normal[parameters.thin_direction[0] - 'x'] = 1.;
+      material = std::make_unique<ThinMaterial<dim>>(std::move(material), normal);
+    }
     if (kappa > 0.)
       return std::make_unique<VolumetricallyStabilised<dim>>(std::move(material), kappa);
     return material;

@@ -58,6 +58,7 @@ override "Body fish/Shape/Length" -1
 override "Body fish/Shape/Elements" "20, 2"
 override "Body fish/Shape/Region boundaries" "0.3, 0.5"
 override "Body fish/Region head/Young's modulus" -1
+override "Body fish/Region head/Thin direction" z
 override "Body fish/Monitored points" "7, 0"
 refuse "a muscle in an unknown region" good.prm -D "Body fish/Muscle/Type=bang-bang" -D "Body fish/Muscle/Regions=fin"
 override "Refinement/Interval" 0

@@ -88,12 +88,15 @@ void check(const std::string &name, const double kappa, const std::string &thin_
           stress_error,
           std::abs((model->strain_energy(plus) - model->strain_energy(minus)) / (2. * step) -
                    P[k][L]));
-      plus = minus = F_of_tangent;
-      plus[k][L] += step;
-      minus[k][L] -= step;
-      const Tensor<2, dim> slope =
-          (model->first_piola_kirchhoff_stress(plus) - model->first_piola_kirchhoff_stress(minus)) /
-          (2. * step);
+      const auto difference = [&](const double width) {
+        Tensor<2, dim> after = F_of_tangent, before = F_of_tangent;
+        after[k][L] += width;
+        before[k][L] -= width;
+        return (model->first_piola_kirchhoff_stress(after) -
+                model->first_piola_kirchhoff_stress(before)) /
+               (2. * width);
+      };
+      const Tensor<2, dim> slope = (4. * difference(step) - difference(2. * step)) / 3.;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int J = 0; J < dim; ++J)
         {
@@ -109,8 +112,7 @@ void check(const std::string &name, const double kappa, const std::string &thin_
             << (thin_direction == "none" ? "" : ", thin in " + thin_direction)
             << ": W = " << model->strain_energy(F) << ", |P| = " << P.norm()
             << ", |C| = " << C.norm() << "\n  stress " << ok(stress_error, 1e-8) << ", tangent "
-            << ok(tangent_error, 1e-9 * (1. + C.norm())) << ", symmetry " << ok(asymmetry, 1e-12)
-            << ", objectivity "
+            << ok(tangent_error, 1e-8) << ", symmetry " << ok(asymmetry, 1e-12) << ", objectivity "
             << ok(std::abs(model->strain_energy(Q * F) - model->strain_energy(F)), 1e-12)
             << ", rotation "
             << ok(model->first_piola_kirchhoff_stress(Q).norm() + std::abs(model->strain_energy(Q)),
