@@ -3,8 +3,11 @@
 al. 2010 (doi:10.1007/978-3-642-14206-2_15), and what the opening comments of the .prm name."""
 
 import dataclasses
+import json
 import math
 import typing
+
+import numpy as np
 
 from .figures import Figure, Signal, compare_force_accounts, describe
 
@@ -199,6 +202,50 @@ def check_body(run):
             Figure("max J", run.get(f"{body}: max J")[late].max())]
 
 
+def evaluate_fsi3_paper(runs):
+    """No reference but that of FSI3, whose channel is wider by 2.5 %: no gates."""
+    figures = evaluate_fsi3(runs)
+    for figure in figures:
+        if figure.reference is not None and not figure.name.startswith("mean force"):
+            figure.gate = None
+    return figures
+
+
+def evaluate_cook(runs):
+    run = runs[0]
+    rise = run.get("panel: y of point 1")
+    late = rise[run.time > 0.8 * run.time[-1]]
+    return [Figure("rise of the corner [cm]", rise[-1] - 8., 0.66, (0.63, 0.69),
+                   f"changes by {np.ptp(late):.1e} cm in the last {0.2 * run.time[-1]:.3g} s"),
+            Figure("min J", run.get("panel: min J").min(), gate=(0.97, math.inf)),
+            Figure("max J", run.get("panel: max J").max(), gate=(0., 1.03))]
+
+
+def evaluate_eel(runs):
+    """On three grids, each twice as fine as the one before; the index of P. J. Roache (1994,
+    doi:10.1115/1.2910291) with his factor of safety 1.25."""
+    figures = []
+    for quantity, label in (("speed in lengths", "speed [L/T]"),
+                            ("Strouhal number", "Strouhal number")):
+        beats = [json.loads((run.folder / "swim.json").read_text(encoding="utf-8"))["beats"][-1]
+                 for run in runs]
+        values = [beat[quantity] for beat in beats]
+        for spacing, value, beat in zip(("L/64", "L/128", "L/256"), values, beats):
+            figures.append(Figure(f"{label}, {spacing}", value,
+                                  note=f"last beat, begins at {beat['start']:.3g} T, change of "
+                                       f"speed {beat['change']:.2g} %"))
+        coarse, middle, fine = values
+        ratio = (coarse - middle) / (middle - fine)
+        if ratio > 1:
+            figures += [Figure(f"{label}, observed order", math.log2(ratio)),
+                        Figure(f"{label}, convergence index [%]",
+                               125 * abs((fine - middle) / fine) / (ratio - 1))]
+        else:
+            figures.append(Figure(f"{label}, observed order", None,
+                                  note="the grids do not converge monotonically"))
+    return figures
+
+
 FORCES = (DRAG, "force x by control volume", LIFT)
 CASES = {case.name: case for case in (
     Case("taylor_green", "orders in space, decaying vortices", "10 s", evaluate_orders,
@@ -235,4 +282,12 @@ CASES = {case.name: case for case in (
          curves=TIP + FORCES),
     Case("fsi3", "elastic flag, the paper's benchmark", "15 min", evaluate_fsi3,
          curves=TIP + FORCES),
+    Case("fsi3_paper", "the same in the paper's channel", "15 min", evaluate_fsi3_paper,
+         curves=TIP + FORCES),
+    Case("cook", "Cook's membrane in a box of fluid", "5 min", evaluate_cook,
+         curves=("panel: y of point 1", "panel: min J", "panel: max J")),
+    Case("eel", "self-propelled eel on three grids", "60 min", evaluate_eel,
+         tuple((f"Domain/Cells={16 * n},{8 * n}", f"Body eel/Shape/Elements={32 * n},4",
+                f"Refinement/Largest number of cells={1250 * n * n}") for n in (1, 2, 4)),
+         curves=("eel: u of centre of mass",)),
 )}

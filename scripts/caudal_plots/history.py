@@ -71,7 +71,7 @@ def draw_volume(run):
 
 
 def draw_energy(run):
-    """muscle work = kinetic + elastic + dissipation + feedback + residual, since the start.
+    """muscle work = kinetic + elastic + dissipation + feedback - external + residual, since the start.
 
     Feedback is what springs and dampers take up: minus their work on the bodies.
     """
@@ -84,13 +84,15 @@ def draw_energy(run):
               ("elastic", get_sum("elastic energy"), {}),
               ("dissipation", run.get("dissipation"), {}),
               ("feedback", -get_sum("feedback work"), {}),
+              ("external", run.get("external work"), {}),
               ("residual", run.get("energy residual"), dict(color="0.4", linestyle="--")))
     figure, axes = style.make_figure(2, 1, 5.4, sharex=True, gridspec_kw={"height_ratios": (3, 1)})
     for label, values, options in curves:
         axes[0, 0].plot(run.time, values, label=label, **options)
     axes[0, 0].axhline(0, color="0.5", linewidth=0.6)
     axes[0, 0].set_ylabel("energy since the start [J/m]")
-    axes[0, 0].set_title("muscle work = kinetic + elastic + dissipation + feedback + residual")
+    axes[0, 0].set_title("muscle work + external = kinetic + elastic + dissipation + feedback "
+                         "+ residual")
     axes[0, 0].legend(loc="upper left", ncol=2)
 
     axes[1, 0].semilogy(run.time, np.maximum(abs(run.get("power identity")), 1e-18), linewidth=0.8)

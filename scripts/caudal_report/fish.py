@@ -10,8 +10,8 @@ from . import common, files, movie, page, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
 
 SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
-RESIDUAL = ("The residual holds what the other parts do not: flow of energy through the sides, changes "
-            "of the grid, and the time scheme's own damping, which falls with the time step.")
+RESIDUAL = ("The residual holds what the other parts do not: changes of the grid, and the time scheme's "
+            "own damping, which falls with the time step.")
 GREY = "#8a949b"
 TIME = "time [s]"
 AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
@@ -107,6 +107,7 @@ def get_ledger(run):
               ("change of elastic energy", get_sum(run, "elastic energy")),
               ("dissipation", run.get("dissipation")),
               ("taken by feedback", -get_sum(run, "feedback work")),
+              ("external work, taken off", -run.get("external work")),
               ("residual", run.get("energy residual"))]
     return ledger
 
@@ -129,7 +130,8 @@ def make_ledger_section(run, report, reports):
             for name, values in listed]
     total = page.make_table((f"at t = {t[-1]:.3f} s", "energy [J/m]", "[% of muscle work]"), rows,
                             "muscle work = changes of kinetic and elastic energy + dissipation + "
-                            "taken by feedback + residual")
+                            "taken by feedback − external work (through the sides and by the "
+                            "body force) + residual")
     content = total + page.make_note(RESIDUAL) + report.place_charts(charts)
     if reports:
         # The ledger is that of all bodies together; the first body's beats divide it.

@@ -12,8 +12,8 @@ TILES = ("speed", "speed in lengths", "period", "amplitude", "Strouhal number", 
 BEAT_COLUMNS = ("start", "period", "frequency", "amplitude", "speed", "speed in lengths",
                 "Strouhal number", "power", "peak power", "cost of transport", "thrust", "drag",
                 "change", "steady")
-LEDGER = ("muscle work", "kinetic energy", "elastic energy", "dissipation", "feedback", "residual",
-          "numerical dissipation")
+LEDGER = ("muscle work", "kinetic energy", "elastic energy", "dissipation", "feedback",
+          "external work", "residual", "numerical dissipation")
 
 
 def read_swim(folder):
@@ -79,5 +79,6 @@ def make_beat_ledger(report):
     return page.make_table(["beat"] + [make_heading(report, name) for name in LEDGER]
                            + ["residual <small>[% of muscle work]</small>"], rows,
                            "muscle work = ΔE<sub>kin</sub> + ΔE<sub>el</sub> + dissipation + "
-                           "feedback + residual, in each tail beat; numerical: the part of the "
+                           "feedback − external work + residual, in each tail beat; external "
+                           "work: through the sides and by the body force; numerical: the part of the "
                            "dissipation by the stabilisations")

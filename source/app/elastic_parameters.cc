@@ -59,6 +59,9 @@ namespace caudal
                 ExcMessage(solid->get_path() + "/Density: the value is " +
                            std::to_string(solid->density) +
                            " kg/m^3, but there is no fluid to take it from. Give a positive one."));
+    AssertThrow(solid->traction.empty(),
+                ExcMessage(solid->get_path() + "/Traction: the elastic model knows no load but "
+                                               "Gravity. Leave it empty."));
     for (unsigned int r = 0; r < solid->regions.size(); ++r)
     {
       const std::string path = solid->get_path() + "/Region " + solid->regions[r];

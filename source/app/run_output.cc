@@ -1,4 +1,5 @@
 #include <caudal/app/run_output.h>
+#include <caudal/fluid/external_power.h>
 #include <caudal/io/on_root.h>
 
 #include <deal.II/fe/mapping_q_eulerian.h>
@@ -36,7 +37,7 @@ namespace caudal
                         : nullptr);
     }
     body_impulses.resize(system.bodies.size());
-    update_ledger(0);
+    update_ledger(0, 0);
     initial_ledger = ledger;
   }
 
@@ -64,7 +65,7 @@ namespace caudal
   {
     TimerOutput::Scope timer_section(system.timer, "output");
     flow = summarise_flow(system.space, system.fluid.velocity);
-    update_ledger(stepper.get_previous_step());
+    update_ledger(stepper.get_time(), stepper.get_previous_step());
     forces.update(stepper.get_time());
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(system.space.get_communicator(),
@@ -115,7 +116,7 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::update_ledger(const double step)
+  void RunOutput<dim>::update_ledger(const double time, const double step)
   {
     ledger.kinetic_energy = flow.kinetic_energy;
     const double rate     = step > 0 ? (parameters.time.is_explicit() ? 1 : 1.5) / step : 0;
@@ -123,10 +124,13 @@ namespace caudal
         flow.grad_div_dissipation +
         compute_stabilisation_dissipation(system.space, system.fluid.velocity, rate);
     const double dissipation = flow.viscous_dissipation + numerical;
+    const double external    = compute_external_power(system.space, system.fluid, time);
     ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
     ledger.numerical_dissipation += 0.5 * step * (last_numerical_dissipation + numerical);
+    ledger.external_work += 0.5 * step * (last_external_power + external);
     last_dissipation           = dissipation;
     last_numerical_dissipation = numerical;
+    last_external_power        = external;
     ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &body : system.bodies)
     {
@@ -171,6 +175,7 @@ namespace caudal
     statistics.set("kinetic energy", "J/m", ledger.kinetic_energy);
     statistics.set("dissipation", "J/m", ledger.dissipation);
     statistics.set("numerical dissipation", "J/m", ledger.numerical_dissipation);
+    statistics.set("external work", "J/m", ledger.external_work);
     statistics.set("energy residual", "J/m", ledger.get_residual(initial_ledger));
     statistics.set("power identity", "", identity);
     set_probe_statistics();

@@ -63,6 +63,7 @@ namespace caudal
       , parameters(parameters)
       , length(compute_extent(solid.get_triangulation()).length)
       , controller(create_controller(parameters.controller))
+      , surface_load(solid)
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
@@ -171,6 +172,7 @@ namespace caudal
                                           const bool with_stiffness)
   {
     assemble_elastic_system(solid, x, get_active_load(time), with_stiffness, elastic_system);
+    surface_load.add_to(elastic_system.active_force, time);
   }
 
   template <int dim>

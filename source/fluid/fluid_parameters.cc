@@ -113,6 +113,12 @@ namespace caudal
     return std::find(conditions.begin(), conditions.end(), condition) != conditions.end();
   }
 
+  template <int dim>
+  bool FluidParameters<dim>::has_body_force() const
+  {
+    return body_force.find_first_not_of("0; ") != std::string::npos;
+  }
+
   template struct FluidParameters<2>;
   template struct FluidParameters<3>;
 } // namespace caudal

@@ -213,7 +213,7 @@ namespace caudal
         space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
         space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
       }
-      if (parameters.body_force.find_first_not_of("0; ") != std::string::npos)
+      if (parameters.has_body_force())
       {
         body_force = make_expression<dim>(body_force_path, parameters.body_force, dim);
         body_force->set_time(step.time);

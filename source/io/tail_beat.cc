@@ -34,7 +34,8 @@ namespace caudal
         result.body_impulse     = mix(a.body_impulse, b.body_impulse);
         for (const auto member : {&EnergyLedger::kinetic_energy, &EnergyLedger::elastic_energy,
                                   &EnergyLedger::dissipation, &EnergyLedger::numerical_dissipation,
-                                  &EnergyLedger::muscle_work, &EnergyLedger::feedback_work})
+                                  &EnergyLedger::muscle_work, &EnergyLedger::feedback_work,
+                                  &EnergyLedger::external_work})
           result.ledger.*member = mix(a.ledger.*member, b.ledger.*member);
         return result;
       };
@@ -74,6 +75,7 @@ namespace caudal
       beat.dissipation           = end.dissipation - start.dissipation;
       beat.numerical_dissipation = end.numerical_dissipation - start.numerical_dissipation;
       beat.feedback              = -(end.feedback_work - start.feedback_work);
+      beat.external_work         = end.external_work - start.external_work;
       beat.residual              = end.get_residual(start);
     }
 
@@ -132,7 +134,7 @@ namespace caudal
           &TailBeat::momentum_rate, &TailBeat::body_force, &TailBeat::thrust, &TailBeat::drag,
           &TailBeat::muscle_work, &TailBeat::kinetic_energy, &TailBeat::elastic_energy,
           &TailBeat::dissipation, &TailBeat::numerical_dissipation, &TailBeat::feedback,
-          &TailBeat::residual})
+          &TailBeat::external_work, &TailBeat::residual})
       for (const TailBeat &beat : beats)
         mean.*member += beat.*member / beats.size();
     mean.peak_power =

@@ -13,13 +13,13 @@ namespace caudal
   {
     const Patterns::Double any_number;
     prm.enter_subsection("Shape");
-    prm.add_parameter(
-        "Type", type,
-        "Shape of the body: a NACA four-digit airfoil (naca), a disc, an ellipse, a "
-        "ring, a beam or rectangle, Carling's eel, a cylinder with flag (Turek and Hron's; its "
-        "regions are cylinder and flag), or a mesh from a file. In 3D: disc "
-        "(a ball), ellipse (an ellipsoid), beam, rectangle (boxes) and file.",
-        Patterns::Selection(get_body_shapes<2>().get_names()));
+    prm.add_parameter("Type", type,
+                      "Shape of the body: a NACA four-digit airfoil (naca), a disc, an ellipse, a "
+                      "ring, a beam or rectangle, a quadrilateral, Carling's eel, a cylinder with "
+                      "flag (Turek and Hron's; its "
+                      "regions are cylinder and flag), or a mesh from a file. In 3D: disc "
+                      "(a ball), ellipse (an ellipsoid), beam, rectangle (boxes) and file.",
+                      Patterns::Selection(get_body_shapes<2>().get_names()));
     prm.add_parameter("NACA digits", naca_digits,
                       "Camber [hundredths of the chord], its position [tenths], and thickness "
                       "[hundredths, two digits] of the naca shape.");
@@ -47,6 +47,9 @@ namespace caudal
         "many "
         "elements.",
         Patterns::List(Patterns::Integer(1), dim, dim));
+    prm.add_parameter("Vertices", vertices,
+                      "The four corners of quadrilateral, counter-clockwise, the first side along "
+                      "the body; coordinates separated by ',', points by ';' [m].");
     prm.add_parameter(
         "File", file,
         "Name of a gmsh mesh (.msh) of quadrilaterals (3D: hexahedra), in metres, for "
@@ -56,7 +59,7 @@ namespace caudal
         "Position", position,
         "Where the origin of the shape is put at the start [m]: nose of naca and eel, "
         "middle of the root edge of beam, centre of disc, cylinder, ellipse, ring and rectangle, "
-        "origin of the mesh from a file.");
+        "origin of the vertices or of the mesh from a file.");
     prm.add_parameter("Rotation", rotation,
                       "Angle from the x axis to the axis of the shape, about its origin "
                       "(3D: about z), counter-clockwise [degrees].",

@@ -267,6 +267,46 @@ namespace caudal
       const double origin;
     };
 
+    /** The bilinear image of the unit square: between four corners. */
+    class QuadrilateralShape : public BodyShape<2>
+    {
+    public:
+      using BodyShape<2>::BodyShape;
+
+      void check(const std::string &path) const override
+      {
+        const auto &v = parameters.vertices;
+        require(v.size() == 4, path, "Vertices",
+                "there are " + std::to_string(v.size()) + " points. Give four corners.");
+        for (unsigned int i = 0; i < 4; ++i)
+        {
+          const Tensor<1, 2> a = v[(i + 1) % 4] - v[i], b = v[(i + 2) % 4] - v[(i + 1) % 4];
+          require(a[0] * b[1] - a[1] * b[0] > 0., path, "Vertices",
+                  "the corners are not those of a convex quadrilateral, counter-clockwise. Give "
+                  "them in that order.");
+        }
+      }
+
+      void make_grid(Triangulation<2> &tria, const std::string &) const override
+      {
+        const std::vector<double> stations =
+            compute_stations(0., parameters.region_boundaries, parameters.elements[0]);
+        std::vector<std::vector<double>> steps(2);
+        for (unsigned int i = 1; i < stations.size(); ++i)
+          steps[0].push_back(stations[i] - stations[i - 1]);
+        steps[1].assign(parameters.elements[1], 1. / parameters.elements[1]);
+        GridGenerator::subdivided_hyper_rectangle(tria, steps, Point<2>(), Point<2>(1., 1.));
+        assign_regions(tria, parameters.region_boundaries);
+        const auto &v = parameters.vertices;
+        GridTools::transform(
+            [&v](const Point<2> &p) {
+              return Point<2>((1. - p[1]) * ((1. - p[0]) * v[0] + p[0] * v[1]) +
+                              p[1] * ((1. - p[0]) * v[3] + p[0] * v[2]));
+            },
+            tria);
+      }
+    };
+
     class FlagShape : public BodyShape<2>
     {
     public:
@@ -402,6 +442,7 @@ namespace caudal
         creators["naca"]               = create<NacaShape, dim>;
         creators["eel"]                = create<EelShape, dim>;
         creators["ring"]               = create<RingShape, dim>;
+        creators["quadrilateral"]      = create<QuadrilateralShape, 2>;
         creators["cylinder with flag"] = create<FlagShape, dim>;
       }
       return creators;

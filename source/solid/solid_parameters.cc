@@ -61,6 +61,12 @@ namespace caudal
     prm.add_parameter("Monitored points", monitored_points,
                       "Points of the body, in its own frame, whose position and velocity become "
                       "part of the statistics; coordinates separated by ',', points by ';' [m].");
+    prm.add_parameter(
+        "Traction", traction,
+        "Load on the body's surface [Pa]: force per area of the undeformed body, as a "
+        "function of the point in the body's own frame and t, components (in the "
+        "domain's directions) separated by ';'; empty: none.",
+        Patterns::Anything());
     grid.add_parameters(prm);
     for (unsigned int r = 0; r < regions.size(); ++r)
     {

@@ -75,3 +75,38 @@ share "dissipation"
 share "numerical dissipation"
 share "eel: feedback work"
 check "residual: less than 0.1 %" "$(tail -n 1 residuals) < 0.001 * $work"
+
+# Energy through the sides and by the body force: a channel with a jet, from rest.
+cat >channel.prm <<'END_OF_FILE'
+subsection Time
+  set End time = 0.4
+end
+subsection Domain
+  set Size   = 2, 1
+  set Cells  = 8, 4
+  set Levels = 2
+end
+subsection Fluid
+  set Density             = 2
+  set Kinematic viscosity = 0.05
+  set Body force          = 20*sin(10*t)*y; 3
+  set Inflow velocity     = 6*y*(1-y)*(2+y); 0
+  set Inflow ramp         = 0.3
+  subsection Boundary conditions
+    set left  = inflow
+    set right = outflow
+  end
+end
+subsection Refinement
+  set Level expression = if(x < 0.5, 1, 0)
+end
+subsection Output
+  set Folder             = results
+  set Interval of fields = 1e6
+end
+END_OF_FILE
+caudal channel.prm -D "Time/Step=0.0025"
+residual=$(last "energy residual" results/statistics.txt)
+external=$(last "external work" results/statistics.txt)
+check "channel: external work" "$external > 0"
+check "channel: residual less than 0.1 % of it" "($residual)^2 < (0.001 * $external)^2"

@@ -52,4 +52,14 @@ grep "^Override" first/log.txt
 "$CAUDAL" case.prm -D "Output/Folder=first" >/dev/null && echo "results are replaced by those of a new run"
 "$CAUDAL" --version | sed 's/[0-9.]*$/.../'
 "$CAUDAL" --help | head -n 1
-"$CAUDAL" --print-parameters md | grep -c "^|" | awk '{ print ($1 > 100 ? "the reference has all parameters" : $1) }'
+
+# is_current FILE ARGUMENTS: whether FILE ends with what the program prints of its parameters.
+is_current() {
+  file=$1
+  shift
+  "$CAUDAL" --print-parameters md "$@" >printed.md
+  tail -n "$(wc -l <printed.md)" "$CAUDAL_SOURCE_DIR/$file" | cmp - printed.md &&
+    echo "$file is that of this program"
+}
+is_current doc/parameters.md
+is_current doc/parameters_potential.md "$CAUDAL_SOURCE_DIR/prm/salmon/salmon.prm"

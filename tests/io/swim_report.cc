@@ -51,6 +51,7 @@ namespace
       sample.body_impulse     = 3 * t;
       sample.ledger.muscle_work           = sample.muscle_work;
       sample.ledger.feedback_work         = -4 * t;
+      sample.ledger.external_work         = 2 * t;
       sample.ledger.kinetic_energy        = 5 * t;
       sample.ledger.dissipation           = 40 * t;
       sample.ledger.numerical_dissipation = 10 * t;

@@ -103,6 +103,11 @@ void report_shapes()
   beam.region_boundaries = {0.25, 0.9};
   report("beam", beam, 0.1);
   report("rectangle", make_parameters<2>("rectangle"), 0.1);
+  auto cook              = make_parameters<2>("quadrilateral");
+  cook.vertices          = {{0., 0.}, {6.5, 4.4}, {6.5, 6.}, {0., 4.4}};
+  cook.elements          = {16, 8};
+  cook.region_boundaries = {0.5};
+  report("quadrilateral", cook, 6.5 * 3.);
 
   report("ball", make_parameters<3>("disc"), 4. / 3. * numbers::PI * 1e-3);
   auto ellipsoid      = make_parameters<3>("ellipse");

@@ -4,6 +4,7 @@
 
 #include <caudal/solid/elasticity.h>
 #include <caudal/solid/rigid_motion.h>
+#include <caudal/solid/surface_load.h>
 
 #include <iostream>
 
@@ -161,6 +162,24 @@ namespace
               << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << '\n';
   }
 
+  /** On the far end of the beam, which is turned: resultant and moment stay in the domain's frame.
+   */
+  template <int dim>
+  void test_surface_load()
+  {
+    Setup<dim> setup;
+    setup.parameters.traction = dim == 2 ? "if(x>0.999, 5*t, 0); 0" : "if(x>0.999, 5*t, 0); 0; 0";
+    const SolidBody<dim>   body(setup.parameters, 1.);
+    const SurfaceLoad<dim> load(body);
+    Vector<double>         force(body.n_dofs());
+    load.add_to(force, 2.);
+    const double area              = dim == 2 ? 0.3 : 0.3 * 0.4;
+    const auto [resultant, moment] = setup.get_resultant(force, body.initial_positions);
+    // The middle of the end is at height sin(30 degrees); both orders of the product count.
+    std::cout << "  surface load: force " << resultant / (10 * area) << ", moment "
+              << moment / (std::sqrt(2.) * 10 * area) << '\n';
+  }
+
   /** The stabilisation of the cells' volumes: its force, energy and stiffness alone. */
   template <int dim>
   void test_volume_stabilisation()
@@ -237,6 +256,7 @@ namespace
     Setup<dim> setup;
     test_rigid_motion(setup);
     test_deformation(setup);
+    test_surface_load<dim>();
     test_volume_stabilisation<dim>();
     try
     {

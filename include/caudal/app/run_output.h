@@ -53,8 +53,9 @@ namespace caudal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &ledger &initial_ledger &body_impulses                         &forces;
-      archive &last_dissipation &last_numerical_dissipation &n_field_outputs &last_field_time;
+      archive &ledger &initial_ledger &body_impulses        &forces;
+      archive &last_dissipation &last_numerical_dissipation &last_external_power;
+      archive &n_field_outputs                              &last_field_time;
       for (const auto &report : swim_reports)
         if (report)
         {
@@ -82,11 +83,12 @@ namespace caudal
     FlowSummary<dim>                         flow;
     double                                   last_dissipation           = 0; // [W/m]
     double                                   last_numerical_dissipation = 0; // [W/m]
+    double                                   last_external_power        = 0; // [W/m]
     unsigned int                             n_field_outputs            = 0;
     double                                   last_field_time            = -1;
 
     SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
-    void             update_ledger(double step);
+    void             update_ledger(double time, double step);
     bool             fields_are_due(double time) const;
     void             report_swimming(double time, double step);
     void             write_statistics(const TimeStepper &stepper, const StepResult &result,

@@ -3,6 +3,7 @@
 
 #include <caudal/app/coupled_system.h>
 #include <caudal/solid/elasticity.h>
+#include <caudal/solid/surface_load.h>
 #include <caudal/swimmer/controller.h>
 #include <caudal/swimmer/gait.h>
 #include <caudal/swimmer/muscle.h>
@@ -54,7 +55,7 @@ namespace caudal
     /** The muscle's fields at @p time, in the prepared step. */
     ActiveLoad<dim> get_active_load(double time) const;
 
-    /** elastic_system at the nodal positions @p x, for the muscle at @p time. */
+    /** elastic_system at the nodal positions @p x, for muscle and surface load at @p time. */
     void assemble_forces(const Vector<double> &x, double time, bool with_stiffness);
 
     /** What the feedback force does at positions @p x and velocities @p v, tested with N_a. */
@@ -141,6 +142,7 @@ namespace caudal
     std::unique_ptr<Muscle<dim>>       muscle;
     std::unique_ptr<Gait<dim>>         gait;
     std::unique_ptr<Controller>        controller;
+    SurfaceLoad<dim>                   surface_load;
     unsigned int                       lateral_point = 0;
 
     SwimmerState get_swimmer_state(double time, double step) const;

@@ -49,6 +49,7 @@ namespace caudal
     }
     std::vector<BoundaryCondition> get_boundary_conditions() const;
     bool                           has_condition(BoundaryCondition condition) const;
+    bool                           has_body_force() const;
   };
 } // namespace caudal
 

@@ -6,7 +6,7 @@ namespace caudal
   /**
    * Energies of the fluid and of all bodies [J; per metre of span in 2D, J/m]:
    * energies at a time, works and dissipation since the start. They obey
-   *   muscle work = change of kinetic energy + change of elastic energy
+   *   muscle work + external work = change of kinetic energy + change of elastic energy
    *                 + dissipation - feedback work + residual,
    * the power balance that follows from testing the equations of fluid and
    * bodies with the velocity (Griffith & Luo 2017, doi:10.1002/cnm.2888,
@@ -20,12 +20,13 @@ namespace caudal
     double numerical_dissipation = 0; // the part of the stabilisations in it
     double muscle_work           = 0; // done on the bodies
     double feedback_work         = 0; // of springs and dampers on the bodies
+    double external_work         = 0; // compute_external_power()
 
-    /** What is unaccounted for from @p start on: flow through the sides, changes of the grid,
-     * errors of the time scheme. */
+    /** What is unaccounted for from @p start on: changes of the grid, errors of the time scheme. */
     double get_residual(const EnergyLedger &start) const
     {
-      return muscle_work - start.muscle_work + feedback_work - start.feedback_work -
+      return muscle_work - start.muscle_work + external_work - start.external_work + feedback_work -
+             start.feedback_work -
              (kinetic_energy - start.kinetic_energy + elastic_energy - start.elastic_energy +
               dissipation - start.dissipation);
     }
@@ -34,7 +35,7 @@ namespace caudal
     void serialize(Archive &archive, unsigned int /*version*/)
     {
       archive &kinetic_energy &elastic_energy &dissipation &numerical_dissipation;
-      archive &muscle_work                                 &feedback_work;
+      archive &muscle_work &feedback_work                  &external_work;
     }
   };
 } // namespace caudal

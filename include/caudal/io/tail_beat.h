@@ -77,6 +77,7 @@ namespace caudal
     double dissipation           = 0;
     double numerical_dissipation = 0;
     double feedback              = 0;
+    double external_work         = 0;
     double residual              = 0;
     double change                = 0; // of U since the beat before, relative
     bool   is_steady             = false;
@@ -88,7 +89,7 @@ namespace caudal
       archive &swimming &power &peak_power &energy_per_metre &cost_of_transport    &momentum_rate;
       archive &body_force &thrust &drag &froude_efficiency &towing_power &quasi_propulsive;
       archive &muscle_work &kinetic_energy &elastic_energy &dissipation  &numerical_dissipation;
-      archive &feedback &residual &change                                &is_steady;
+      archive &feedback &external_work &residual &change                 &is_steady;
     }
   };
 

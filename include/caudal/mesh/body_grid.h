@@ -29,10 +29,11 @@ namespace caudal
     double                    wall_thickness = 0.05;
     std::vector<unsigned int> elements =
         dim == 2 ? std::vector<unsigned int>{209, 10} : std::vector<unsigned int>{20, 8, 8};
-    std::string         file;
-    Point<dim>          position;
-    double              rotation = 0.;
-    std::vector<double> region_boundaries;
+    std::vector<Point<dim>> vertices;
+    std::string             file;
+    Point<dim>              position;
+    double                  rotation = 0.;
+    std::vector<double>     region_boundaries;
 
     void add_parameters(ParameterHandler &prm);
 
@@ -46,8 +47,8 @@ namespace caudal
    * along +x. Straight-sided quadrilaterals or hexahedra on one level; the
    * material id is the region, 0 to @p n_regions - 1, all boundary ids are 0.
    *
-   * Cells belong to the region their centre lies in. For naca, eel, beam and
-   * rectangle each region boundary is a grid line.
+   * Cells belong to the region their centre lies in. For naca, eel, beam, rectangle
+   * and quadrilateral each region boundary is a grid line.
    */
   template <int dim>
   void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,

@@ -32,6 +32,7 @@ namespace caudal
     unsigned int            polynomial_degree = 1;
     double                  density           = 0;
     std::vector<Point<dim>> monitored_points;
+    std::string             traction; // of SurfaceLoad
 
     BodyGridParameters<dim>                        grid;
     std::vector<std::unique_ptr<RegionParameters>> region_parameters;

@@ -1,0 +1,33 @@
+#ifndef caudal_solid_surface_load_h
+#define caudal_solid_surface_load_h
+
+#include <caudal/solid/solid_body.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <memory>
+
+namespace caudal
+{
+  /**
+   * A dead load t(s, t) on the surface of a body, entry `Traction`: force per area of the
+   * reference configuration [Pa], at the points s of the body's own frame, in directions of the
+   * domain.
+   */
+  template <int dim>
+  class SurfaceLoad
+  {
+  public:
+    explicit SurfaceLoad(const SolidBody<dim> &body);
+
+    /** force += int t.N dS over the surface, at @p time; nothing if there is no load. */
+    void add_to(Vector<double> &force, double time) const;
+
+  private:
+    const SolidBody<dim>                &body;
+    std::unique_ptr<FunctionParser<dim>> traction; // null: none
+    const std::string                    path;
+  };
+} // namespace caudal
+
+#endif

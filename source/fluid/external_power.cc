@@ -1,0 +1,119 @@
+#include <caudal/base/expression.h>
+#include <caudal/fluid/external_power.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace caudal
+{
+  namespace
+  {
+    const FEValuesExtractors::Vector components(0);
+
+    /** Evaluates what acts on the fluid at faces of its sides. */
+    template <int dim>
+    class SidePower
+    {
+    public:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      SidePower(const FluidSpace<dim> &space, const FluidState<dim> &state)
+          : space(space)
+          , state(state)
+          , conditions(space.get_parameters().get_boundary_conditions())
+          , quadrature(space.velocity_element.degree + 2)
+          , velocities(space.velocity_element, quadrature,
+                       update_values | update_gradients | update_normal_vectors | update_JxW_values)
+          , pressures(space.pressure_element, quadrature, update_values)
+          , velocity(quadrature.size())
+          , gradient(quadrature.size())
+          , pressure(quadrature.size())
+      {}
+
+      /** Of face @p f of @p cell; none at walls and symmetry planes. */
+      double compute(const Cell &cell, const unsigned int f)
+      {
+        const BoundaryCondition condition = conditions[cell->face(f)->boundary_id()];
+        if (condition != BoundaryCondition::inflow && condition != BoundaryCondition::outflow)
+          return 0.;
+        velocities.reinit(cell, f);
+        pressures.reinit(Cell(*cell, &space.pressure_dofs), f);
+        velocities[components].get_function_values(state.velocity, velocity);
+        velocities[components].get_function_gradients(state.velocity, gradient);
+        pressures.get_function_values(state.pressure, pressure);
+
+        const auto &parameters = space.get_parameters();
+        double      power      = 0.;
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const Tensor<1, dim> &n = velocities.normal_vector(q), &u = velocity[q];
+          double                flow = u * n, stress_power = 0.;
+          if (condition == BoundaryCondition::outflow)
+            flow = parameters.backflow_stabilisation ? std::max(flow, 0.) : flow;
+          else
+            stress_power =
+                parameters.get_viscosity() * (u * (gradient[q] * n)) -
+                (pressure[q] - parameters.density * parameters.grad_div * trace(gradient[q])) *
+                    flow;
+          power += (stress_power - 0.5 * parameters.density * u.norm_square() * flow) *
+                   velocities.JxW(q);
+        }
+        return power;
+      }
+
+    private:
+      const FluidSpace<dim>               &space;
+      const FluidState<dim>               &state;
+      const std::vector<BoundaryCondition> conditions;
+      const QGauss<dim - 1>                quadrature;
+      FEFaceValues<dim>                    velocities, pressures;
+      std::vector<Tensor<1, dim>>          velocity;
+      std::vector<Tensor<2, dim>>          gradient;
+      std::vector<double>                  pressure;
+    };
+
+    /** int f.u over the cells of this rank */
+    template <int dim>
+    double compute_body_force_power(const FluidSpace<dim> &space, const FieldVector &velocity,
+                                    const double time)
+    {
+      const auto &parameters = space.get_parameters();
+      if (!parameters.has_body_force())
+        return 0.;
+      const auto body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
+      body_force->set_time(time);
+      const QGauss<dim>           quadrature(space.velocity_element.degree + 1);
+      FEValues<dim>               values(space.velocity_element, quadrature,
+                                         update_values | update_quadrature_points | update_JxW_values);
+      std::vector<Tensor<1, dim>> at(quadrature.size());
+      double                      power = 0.;
+      for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          values[components].get_function_values(velocity, at);
+          for (const unsigned int q : values.quadrature_point_indices())
+            for (unsigned int d = 0; d < dim; ++d)
+              power += body_force->value(values.quadrature_point(q), d) * at[q][d] * values.JxW(q);
+        }
+      return power;
+    }
+  } // namespace
+
+  template <int dim>
+  double compute_external_power(const FluidSpace<dim> &space, const FluidState<dim> &state,
+                                const double time)
+  {
+    SidePower<dim> sides(space, state);
+    double         power = compute_body_force_power(space, state.velocity, time);
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            power += sides.compute(cell, f);
+    return Utilities::MPI::sum(power, space.get_communicator());
+  }
+
+  template double compute_external_power(const FluidSpace<2> &, const FluidState<2> &, double);
+  template double compute_external_power(const FluidSpace<3> &, const FluidState<3> &, double);
+} // namespace caudal
