@@ -9,6 +9,7 @@ import typing
 
 import numpy as np
 
+from . import studies
 from .figures import Figure, Signal, compare_force_accounts, describe
 
 MILLIMETRE = 1e3
@@ -25,6 +26,7 @@ class Case:
     variants: tuple = ((),)    # the overrides of each run
     curves: tuple = ()         # columns to plot
     file: str = ""             # prm/benchmarks/<file>.prm, by default <name>.prm
+    plot: typing.Callable = None  # of the figures, to a file
 
     @property
     def prm(self):
@@ -284,6 +286,11 @@ CASES = {case.name: case for case in (
          curves=TIP + FORCES),
     Case("fsi3_paper", "the same in the paper's channel", "15 min", evaluate_fsi3_paper,
          curves=TIP + FORCES),
+    Case("fsi3_study", "FSI3 on three grids with three steps", "5 h",
+         studies.evaluate_grid_and_step, studies.GRID_AND_STEP_VARIANTS, file="fsi3",
+         plot=studies.plot_grid_and_step),
+    Case("fsi3_kernels", "FSI3 on a coarse grid with each kernel", "60 min",
+         studies.evaluate_kernels, studies.KERNEL_VARIANTS, file="fsi3"),
     Case("cook", "Cook's membrane in a box of fluid", "5 min", evaluate_cook,
          curves=("panel: y of point 1", "panel: min J", "panel: max J")),
     Case("eel", "self-propelled eel on three grids", "60 min", evaluate_eel,

@@ -43,6 +43,8 @@ def measure(case, options):
         print(f"{'':16}({note})")
     if case.curves:
         report.plot(options.folder / f"{case.name}.png", case, results, figures)
+    if case.plot:
+        case.plot(options.folder / f"{case.name}.png", figures)
     return figures
 
 

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 
 PERIODS = 5  # at most, from the end, over which figures are averaged
+UNEQUAL = 0.7  # of the swing of a beat: the next one, if smaller than this, belongs to its period
 TOLERANCE = 0.02  # how much periods and amplitudes may differ and still count as periodic
 
 
@@ -40,6 +41,15 @@ def find_rises(time, values):
     return rises
 
 
+def join_unequal_beats(time, values, rises):
+    """Every second rise, if one beat swings far less than the next: then both make a period."""
+    swings = [np.ptp(values[(time >= a) & (time <= b)]) for a, b in zip(rises, rises[1:])]
+    if len(swings) < 4:
+        return rises
+    odd, even = np.median(swings[-1::-2]), np.median(swings[-2::-2])
+    return rises if min(odd, even) > UNEQUAL * max(odd, even) else rises[-1::-2][::-1]
+
+
 def analyse(time, values, scale):
     """The end of a signal whose changes matter if they are not small beside `scale`."""
     late = time >= time[-1] - 0.1 * (time[-1] - time[0])
@@ -53,7 +63,7 @@ def analyse(time, values, scale):
     if len(rises) > PERIODS + 1:
         last = time >= rises[-PERIODS - 2]
         rises = find_rises(time[last], values[last])
-    rises = rises[-PERIODS - 1:]
+    rises = join_unequal_beats(time, values, rises)[-PERIODS - 1:]
     if len(rises) < 2:
         return Oscillation((values[half].max() + values[half].min()) / 2, np.ptp(values[half]) / 2,
                            0., time[half][0], values[half].max(),

@@ -24,7 +24,7 @@ namespace caudal
                       "than this part; 0: never [1].");
     prm.add_parameter("Largest energy residual", largest_energy_residual,
                       "Warn if what the energy ledger leaves unaccounted for exceeds this part of "
-                      "its terms' sum, in domains without inflow and outflow; 0: never [1].");
+                      "its terms' sum, from the tenth step on; 0: never [1].");
     prm.leave_subsection();
   }
 
@@ -47,8 +47,6 @@ namespace caudal
   Guards<dim>::Guards(const GuardParameters &parameters, const ImmersedSystem<dim> &system)
       : parameters(parameters)
       , system(system)
-      , is_closed(!system.space.get_parameters().has_condition(BoundaryCondition::inflow) &&
-                  !system.space.get_parameters().has_condition(BoundaryCondition::outflow))
   {}
 
   template <int dim>
@@ -115,11 +113,13 @@ namespace caudal
     for (const auto &body : system.bodies)
       check_body(*body, time, log);
     const double scale = std::abs(ledger.muscle_work) + std::abs(ledger.feedback_work) +
-                         start.kinetic_energy + ledger.kinetic_energy +
-                         std::abs(ledger.elastic_energy) + ledger.dissipation;
+                         std::abs(ledger.external_work) + start.kinetic_energy +
+                         ledger.kinetic_energy + std::abs(ledger.elastic_energy) +
+                         ledger.dissipation;
     const double residual = std::abs(ledger.get_residual(start)) / std::max(scale, 1e-300);
-    if (is_closed && parameters.largest_energy_residual > 0 &&
-        residual > parameters.largest_energy_residual)
+    ++n_steps;
+    if (parameters.largest_energy_residual > 0 && residual > parameters.largest_energy_residual &&
+        n_steps >= n_starting_steps)
       warn({"Largest energy residual", "the energy residual", " of the ledger's sum",
             "Steps or cells are too large for the motion: reduce Time/Step, refine the wake "
             "(Refinement/Vorticity threshold)."},

@@ -36,8 +36,11 @@ namespace caudal
 
     const GuardParameters              &parameters;
     ImmersedSystem<dim>                 system;
-    bool                                is_closed; // no flow through the domain's sides
+    unsigned int                        n_steps = 0; // checked so far
     std::map<std::string, unsigned int> counts;    // steps, by what was measured
+
+    /** A start at once is damped by the time scheme, and there is little other energy yet. */
+    static constexpr unsigned int n_starting_steps = 10;
 
     void   check_body(const SwimmingBody<dim> &body, double time, Log &log);
     void   warn(const Limit &limit, double value, double allowed, double time, Log &log);
