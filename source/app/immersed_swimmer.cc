@@ -268,6 +268,7 @@ namespace caudal
       output.write_fields(0);
     resumed.reset();
     const unsigned int first_step = stepper.get_step_number();
+    const double       start      = stepper.get_time();
     try
     {
       run_to_end(stepper, output, log, stop_requested);
@@ -287,7 +288,8 @@ namespace caudal
           << ". To go on: caudal --resume " << folder.path() << std::endl;
 
     guards.print_summary(log);
-    print_costs(stepper.get_step_number() - first_step, log.get_stream());
+    print_costs(stepper.get_step_number() - first_step, stepper.get_time() - start,
+                output.get_last_beat_period(), log.get_stream());
     return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
   }
 
@@ -310,7 +312,8 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::print_costs(const unsigned int n_steps, std::ostream &out) const
+  void ImmersedSwimmer<dim>::print_costs(const unsigned int n_steps, const double duration,
+                                         const double period, std::ostream &out) const
   {
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
@@ -320,7 +323,12 @@ namespace caudal
         << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
         << coupled_system.get_factor_entries() << " entries, "
         << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024
-        << " MiB of memory on all ranks. Wall time of rank 0:\n";
+        << " MiB of memory on all ranks";
+    if (duration > 0)
+      out << ", " << total / duration << " s of wall time for a simulated second";
+    if (duration > 0 && period > 0)
+      out << ", " << total / duration * period << " s for a tail beat";
+    out << ". Wall time of rank 0:\n";
     for (const auto &[section, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
       out << "  " << std::left << std::setw(24) << section << std::right << std::setw(9)
           << std::fixed << std::setprecision(1) << seconds << " s" << std::setw(7)

@@ -312,6 +312,15 @@ namespace caudal
   }
 
   template <int dim>
+  double RunOutput<dim>::get_last_beat_period() const
+  {
+    for (const auto &report : swim_reports)
+      if (report && !report->get_beats().empty())
+        return report->get_beats().back().period;
+    return 0.;
+  }
+
+  template <int dim>
   void RunOutput<dim>::finish()
   {
     for (const auto &report : swim_reports)

@@ -26,6 +26,7 @@ subsection Body fish
     subsection Bang-bang
       set Maximum force density = 2e5
       set Switching position    = 0.003
+      set Switching duration    = 0
     end
   end
 end

@@ -53,7 +53,8 @@ namespace caudal
     ParameterValues                                 parameter_values;
     std::optional<RunState>                         resumed;
 
-    void             print_costs(unsigned int n_steps, std::ostream &out) const;
+    /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
+    void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;
     BoundingBox<dim> get_domain() const;
     void             check_probes() const;
     void             check_bodies() const;

@@ -65,6 +65,9 @@ namespace caudal
         }
     }
 
+    /** Of the last tail beat of the first body that has made one [s]; 0 if there is none. */
+    double get_last_beat_period() const;
+
     double get_largest_velocity() const
     {
       return flow.largest_velocity;
