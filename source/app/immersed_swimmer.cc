@@ -322,8 +322,7 @@ namespace caudal
         << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
         << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
         << coupled_system.get_factor_entries() << " entries, "
-        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024
-        << " MiB of memory on all ranks";
+        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024 << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";
     if (duration > 0 && period > 0)

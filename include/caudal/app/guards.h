@@ -37,7 +37,7 @@ namespace caudal
     const GuardParameters              &parameters;
     ImmersedSystem<dim>                 system;
     unsigned int                        n_steps = 0; // checked so far
-    std::map<std::string, unsigned int> counts;    // steps, by what was measured
+    std::map<std::string, unsigned int> counts;      // steps, by what was measured
 
     /** A start at once is damped by the time scheme, and there is little other energy yet. */
     static constexpr unsigned int n_starting_steps = 10;
