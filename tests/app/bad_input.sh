@@ -81,6 +81,9 @@ printf '    set Type = disc\n    set Position = 2, 1.1\n  end\nend\n' >>two.prm
 refuse "overlapping bodies" two.prm
 refuse "a probe outside of the domain" good.prm -D "Fluid/Probes=1, 1; 1, 7"
 
+refuse "corners in the wrong order" good.prm -D "Body fish/Shape/Type=quadrilateral" \
+  -D "Body fish/Shape/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
+override "Body fish/Traction" "1"
 override "Body fish/Shape/Type" file
 refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \
   -D "Body fish/Shape/Region boundaries="
