@@ -7,6 +7,8 @@ import numpy as np
 
 from . import oscillation
 
+MILLIMETRE = 1e3
+
 
 @dataclasses.dataclass
 class Figure:
@@ -63,6 +65,16 @@ def describe(signal, label, mean=None, amplitude=None, frequency=None):
         if wanted is not None:
             figures.append(Figure(f"{label} {name}", value, *wanted, note=signal.end.state))
     return figures
+
+
+def check_body(run, gate=None, label=""):
+    """How well the first body keeps its volumes in the second half of the run."""
+    late = run.time >= 0.5 * run.time[-1]
+    body = run.bodies[0]
+    return [Figure(f"largest |area change|{label}",
+                   abs(run.get(f"{body}: area change")[late]).max(), gate=gate),
+            Figure(f"min J{label}", run.get(f"{body}: min J")[late].min()),
+            Figure(f"max J{label}", run.get(f"{body}: max J")[late].max())]
 
 
 def compare_force_accounts(run, body, direction):

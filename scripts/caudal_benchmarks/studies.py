@@ -2,9 +2,7 @@
 
 from caudal_plots import style
 
-from .figures import Figure, Signal
-
-MILLIMETRE = 1e3
+from .figures import MILLIMETRE, Figure, Signal, check_body
 
 # FSI3 of Turek et al. (2010): column, figure, reference.
 QUANTITIES = (("uy amplitude [mm]", "flag: y of point 1", "amplitude", 34.99),
@@ -48,12 +46,7 @@ def evaluate_grid_and_step(runs):
 def evaluate_kernels(runs):
     figures = []
     for run, kernel in zip(runs, KERNELS):
-        late = run.time >= 0.5 * run.time[-1]
-        figures += measure(run, kernel)
-        figures += [Figure(f"largest |area change|, {kernel}",
-                           abs(run.get("flag: area change")[late]).max()),
-                    Figure(f"min J, {kernel}", run.get("flag: min J")[late].min()),
-                    Figure(f"max J, {kernel}", run.get("flag: max J")[late].max())]
+        figures += measure(run, kernel) + check_body(run, label=f", {kernel}")
     return figures
 
 

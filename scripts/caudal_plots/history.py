@@ -71,7 +71,7 @@ def draw_volume(run):
 
 
 def draw_energy(run):
-    """muscle work = kinetic + elastic + dissipation + feedback - external + residual, since the start.
+    """muscle work + external = kinetic + elastic + dissipation + feedback + residual, since the start.
 
     Feedback is what springs and dampers take up: minus their work on the bodies.
     """

@@ -29,7 +29,7 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="scripts/benchmark salmon", description=__doc__)
     parser.add_argument("--large", action="store_true", help="also with 6,274 panels (minutes)")
     options = parser.parse_args(arguments)
-    print("20 s of swimming at 0.64, 0.95 and 1.43 Hz from one table of 24 phases; s of CPU.\n"
+    print("20 s of swimming at 0.64, 0.95 and 1.43 Hz from one table of phases; s of CPU.\n"
           "The paper: about one hour for each, 681 panels. Figure to reach: 2 s, 1.57 cm a stroke.\n")
     print(f"{'':>17}{'':>10}{'of which':>10}\n"
           f"{'panels':>8}{'torques':>9}{'process':>10}{'loading':>10}{'assembly':>10}"
