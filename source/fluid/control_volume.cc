@@ -1,5 +1,6 @@
 #include <caudal/base/expression.h>
 #include <caudal/fluid/control_volume.h>
+#include <caudal/fluid/face_flow.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -19,27 +20,6 @@ namespace caudal
         ancestor = ancestor->parent();
       return box.point_inside(ancestor->center());
     }
-
-    /** The flow on one side of a face, in its quadrature points. */
-    template <int dim>
-    struct FaceFlow
-    {
-      std::vector<Tensor<1, dim>> velocity;
-      std::vector<Tensor<2, dim>> gradient;
-      std::vector<double>         pressure;
-
-      void evaluate(const FEValuesBase<dim> &velocities, const FEValuesBase<dim> &pressures,
-                    const FluidState<dim> &state)
-      {
-        const FEValuesExtractors::Vector components(0);
-        velocity.resize(velocities.n_quadrature_points);
-        gradient.resize(velocity.size());
-        pressure.resize(velocity.size());
-        velocities[components].get_function_values(state.velocity, velocity);
-        velocities[components].get_function_gradients(state.velocity, gradient);
-        pressures.get_function_values(state.pressure, pressure);
-      }
-    };
 
     /** Evaluates forces and fluxes on faces of the control volume. */
     template <int dim>

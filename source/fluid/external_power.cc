@@ -1,5 +1,6 @@
 #include <caudal/base/expression.h>
 #include <caudal/fluid/external_power.h>
+#include <caudal/fluid/face_flow.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -8,8 +9,6 @@ namespace caudal
 {
   namespace
   {
-    const FEValuesExtractors::Vector components(0);
-
     /** Evaluates what acts on the fluid at faces of its sides. */
     template <int dim>
     class SidePower
@@ -25,9 +24,6 @@ namespace caudal
           , velocities(space.velocity_element, quadrature,
                        update_values | update_gradients | update_normal_vectors | update_JxW_values)
           , pressures(space.pressure_element, quadrature, update_values)
-          , velocity(quadrature.size())
-          , gradient(quadrature.size())
-          , pressure(quadrature.size())
       {}
 
       /** Of face @p f of @p cell; none at walls and symmetry planes. */
@@ -38,24 +34,22 @@ namespace caudal
           return 0.;
         velocities.reinit(cell, f);
         pressures.reinit(Cell(*cell, &space.pressure_dofs), f);
-        velocities[components].get_function_values(state.velocity, velocity);
-        velocities[components].get_function_gradients(state.velocity, gradient);
-        pressures.get_function_values(state.pressure, pressure);
+        flow.evaluate(velocities, pressures, state);
 
         const auto &parameters = space.get_parameters();
         double      power      = 0.;
         for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          const Tensor<1, dim> &n = velocities.normal_vector(q), &u = velocity[q];
-          double                flow = u * n, stress_power = 0.;
+          const Tensor<1, dim> &n = velocities.normal_vector(q), &u = flow.velocity[q];
+          double                flux = u * n, stress_power = 0.;
           if (condition == BoundaryCondition::outflow)
-            flow = parameters.backflow_stabilisation ? std::max(flow, 0.) : flow;
+            flux = parameters.backflow_stabilisation ? std::max(flux, 0.) : flux;
           else
-            stress_power =
-                parameters.get_viscosity() * (u * (gradient[q] * n)) -
-                (pressure[q] - parameters.density * parameters.grad_div * trace(gradient[q])) *
-                    flow;
-          power += (stress_power - 0.5 * parameters.density * u.norm_square() * flow) *
+            stress_power = parameters.get_viscosity() * (u * (flow.gradient[q] * n)) -
+                           (flow.pressure[q] -
+                            parameters.density * parameters.grad_div * trace(flow.gradient[q])) *
+                               flux;
+          power += (stress_power - 0.5 * parameters.density * u.norm_square() * flux) *
                    velocities.JxW(q);
         }
         return power;
@@ -67,9 +61,7 @@ namespace caudal
       const std::vector<BoundaryCondition> conditions;
       const QGauss<dim - 1>                quadrature;
       FEFaceValues<dim>                    velocities, pressures;
-      std::vector<Tensor<1, dim>>          velocity;
-      std::vector<Tensor<2, dim>>          gradient;
-      std::vector<double>                  pressure;
+      FaceFlow<dim>                        flow;
     };
 
     /** int f.u over the cells of this rank */
@@ -91,7 +83,7 @@ namespace caudal
         if (cell->is_locally_owned())
         {
           values.reinit(cell);
-          values[components].get_function_values(velocity, at);
+          values[FEValuesExtractors::Vector(0)].get_function_values(velocity, at);
           for (const unsigned int q : values.quadrature_point_indices())
             for (unsigned int d = 0; d < dim; ++d)
               power += body_force->value(values.quadrature_point(q), d) * at[q][d] * values.JxW(q);

@@ -222,6 +222,18 @@ namespace caudal
       }
     };
 
+    /** The lengths of the elements along the body, as fractions; regions end between elements. */
+    template <int dim>
+    std::vector<double> compute_steps_along(const BodyGridParameters<dim> &parameters)
+    {
+      const std::vector<double> stations =
+          compute_stations(0., parameters.region_boundaries, parameters.elements[0]);
+      std::vector<double> steps;
+      for (unsigned int i = 1; i < stations.size(); ++i)
+        steps.push_back(stations[i] - stations[i - 1]);
+      return steps;
+    }
+
     /** A beam, whose origin is the middle of its root, or a rectangle, whose origin is its centre.
      */
     template <int dim>
@@ -243,11 +255,9 @@ namespace caudal
         const auto          &parameters = this->parameters;
         const Tensor<1, dim> sides      = get_sides(parameters);
 
-        const std::vector<double> stations =
-            compute_stations(0., parameters.region_boundaries, parameters.elements[0]);
         std::vector<std::vector<double>> steps(dim);
-        for (unsigned int i = 1; i < stations.size(); ++i)
-          steps[0].push_back(sides[0] * (stations[i] - stations[i - 1]));
+        for (const double step : compute_steps_along(parameters))
+          steps[0].push_back(sides[0] * step);
 
         Point<dim> lower, upper;
         lower[0] = -origin * sides[0];
@@ -289,12 +299,9 @@ namespace caudal
 
       void make_grid(Triangulation<2> &tria, const std::string &) const override
       {
-        const std::vector<double> stations =
-            compute_stations(0., parameters.region_boundaries, parameters.elements[0]);
-        std::vector<std::vector<double>> steps(2);
-        for (unsigned int i = 1; i < stations.size(); ++i)
-          steps[0].push_back(stations[i] - stations[i - 1]);
-        steps[1].assign(parameters.elements[1], 1. / parameters.elements[1]);
+        const std::vector<std::vector<double>> steps{
+            compute_steps_along(parameters),
+            std::vector<double>(parameters.elements[1], 1. / parameters.elements[1])};
         GridGenerator::subdivided_hyper_rectangle(tria, steps, Point<2>(), Point<2>(1., 1.));
         assign_regions(tria, parameters.region_boundaries);
         const auto &v = parameters.vertices;

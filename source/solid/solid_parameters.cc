@@ -65,7 +65,7 @@ namespace caudal
         "Traction", traction,
         "Load on the body's surface [Pa]: force per area of the undeformed body, as a "
         "function of the point in the body's own frame and t, components (in the "
-        "domain's directions) separated by ';'; empty: none.",
+        "domain's directions) separated by ';'; empty: none. Its work counts as the muscle's.",
         Patterns::Anything());
     grid.add_parameters(prm);
     for (unsigned int r = 0; r < regions.size(); ++r)

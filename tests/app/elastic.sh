@@ -26,3 +26,4 @@ for option in --resume --verify-restart; do
 done
 ! "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm" -D "Body flag/Region flag/Feedback damping=1" 2>&1 >/dev/null
 ! "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm" -D "Body flag/Region flag/Thin direction=y" 2>&1 >/dev/null
+! "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/benchmarks/csm1.prm" -D "Body flag/Traction=1; 0" 2>&1 >/dev/null
