@@ -1,7 +1,8 @@
 #include <caudal/app/coupled_system.h>
 
+#include <caudal/base/conjugate_residuals.h>
+
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
 
@@ -149,8 +150,8 @@ namespace caudal
               frame_balance[k] -= equations->rigid_inertia(k, l) * frame[l];
             frame_balance[k] *= scale;
           }
-          out.insert(kinematic, begin);
-          out.insert(balance, begin + n);
+          out.insert(balance, begin);
+          out.insert(kinematic, begin + n);
           out.insert(frame_balance, begin + 2 * n);
           begin += equations->n_unknowns();
         }
@@ -268,25 +269,26 @@ namespace caudal
     {
       const int n = equations->mass->m(), n_q = equations->rigid_moments.size();
       const int velocities = begin, forces = begin + n, frame = begin + 2 * n;
+      const int balance = velocities, kinematic = forces; // rows
       interaction->for_each_entry(
           [&](const unsigned int row, const types::global_dof_index column, const double value) {
-            entries.add(velocities + row, column, -scale * value);
+            entries.add(kinematic + row, column, -scale * value);
             entries.add(column, forces + row, -value);
           });
       if (is_root)
       {
         for (const auto &entry : *equations->mass)
         {
-          entries.add(velocities + entry.row(), velocities + entry.column(), scale * entry.value());
-          entries.add(forces + entry.row(), forces + entry.column(), entry.value());
+          entries.add(kinematic + entry.row(), velocities + entry.column(), scale * entry.value());
+          entries.add(balance + entry.row(), forces + entry.column(), entry.value());
         }
         for (const auto &entry : *equations->response)
-          entries.add(forces + entry.row(), velocities + entry.column(), entry.value());
+          entries.add(balance + entry.row(), velocities + entry.column(), entry.value());
         for (int k = 0; k < n_q; ++k)
         {
           for (int i = 0; i < n; ++i)
           {
-            entries.add(forces + i, frame + k,
+            entries.add(balance + i, frame + k,
                         -equations->gait_damping * equations->rigid_moments[k][i]);
             entries.add(frame + k, velocities + i, scale * equations->rigid_moments[k][i]);
           }
@@ -296,7 +298,7 @@ namespace caudal
       }
       begin += equations->n_unknowns();
     }
-    direct_solver.factorize(begin, entries);
+    direct_solver.factorize(begin, entries, dim);
     ++n_factorisations;
   }
 
@@ -311,18 +313,10 @@ namespace caudal
     const SystemOperator<dim>                    system(momentum, bodies, scale);
     const AugmentedLagrangianPreconditioner<dim> preconditioner(momentum, direct_solver,
                                                                 weights.augmentation, scale);
-    SolverControl control(n_affordable, parameters.tolerance * reference, false, false);
-    SolverFGMRES<BlockFieldVector> solver(control);
-    unsigned int                   iterations = n_affordable + 1;
-    try
-    {
-      solver.solve(system, solution, rhs, preconditioner);
-      iterations = control.last_step();
-    }
-    catch (const SolverControl::NoConvergence &)
-    {} // the number of iterations tells
-    last_residual = control.last_value();
-    return iterations;
+    const IterationResult                        result = solve_by_conjugate_residuals(
+                               system, solution, rhs, preconditioner, parameters.tolerance * reference, n_affordable);
+    last_residual = result.residual;
+    return result.converged ? result.n_iterations : n_affordable + 1;
   }
 
   template <int dim>
@@ -366,7 +360,6 @@ namespace caudal
     if (iterations > n_possible)
     {
       factorise(bodies, weights);
-      solution         = 0;
       iterations       = iterate(solution, rhs, bodies, weights, reference, n_possible);
       exact_iterations = iterations;
       if (!reuses && steps_until_reuse > 0)
@@ -396,8 +389,8 @@ namespace caudal
       const unsigned int n = equations->mass->m();
       equations->velocity *= scale;
       equations->frame_velocity *= scale;
-      values.insert(equations->velocity, begin);
-      values.insert(equations->force_density, begin + n);
+      values.insert(equations->force_density, begin);
+      values.insert(equations->velocity, begin + n);
       values.insert(equations->frame_velocity, begin + 2 * n);
       begin += equations->n_unknowns();
     }

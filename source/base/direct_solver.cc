@@ -30,9 +30,9 @@ namespace caudal
       dmumps_c(&data);
       for (const int channel : {1, 2, 3})
         set_control(channel, -1);
-      set_control(4, 0);  // no messages
-      set_control(6, 0);  // the diagonal has no zeros to be permuted away
-      set_control(18, 3); // the matrix is distributed over the ranks
+      set_control(4, 0); // no messages
+      set_control(6, 0); // the diagonal has no zeros to be permuted away
+      set_control(18, is_distributed() ? 3 : 0);
       set_control(10, 0); // no iterative refinement: the caller iterates
       // Pivots move only where they are tiny: the augmented and the bodies' rows
       // would else delay each other (three times the time). The caller checks
@@ -73,6 +73,43 @@ namespace caudal
       collect_one(entries.values);
     }
 
+    /** Whether MUMPS gets the matrix from several ranks. */
+    bool is_distributed() const
+    {
+      return !on_root && Utilities::MPI::n_mpi_processes(communicator) > 1;
+    }
+
+    /** The matrix, which has to live until MUMPS has factorised it. */
+    void set_matrix(Triplets &entries)
+    {
+      if (is_distributed())
+      {
+        data.nnz_loc = entries.values.size();
+        data.irn_loc = entries.rows.data();
+        data.jcn_loc = entries.columns.data();
+        data.a_loc   = entries.values.data();
+      }
+      else
+      {
+        data.nnz = entries.values.size();
+        data.irn = entries.rows.data();
+        data.jcn = entries.columns.data();
+        data.a   = entries.values.data();
+      }
+    }
+
+    /** Groups of @p group_size unknowns are ordered as one; the last may be smaller. */
+    void set_groups(const unsigned int group_size)
+    {
+      group_begins.clear();
+      for (int first = 1; first <= data.n; first += group_size)
+        group_begins.push_back(first);
+      data.nblk = group_begins.size();
+      group_begins.push_back(data.n + 1);
+      data.blkptr = group_begins.data();
+      set_control(15, 1);
+    }
+
     void set_control(const int number, const int value)
     {
       data.icntl[number - 1] = value;
@@ -83,6 +120,7 @@ namespace caudal
     const bool         on_root;
     const unsigned int rank;
     DMUMPS_STRUC_C     data{};
+    std::vector<int>   group_begins;
     bool               factorized = false;
   };
 
@@ -92,7 +130,7 @@ namespace caudal
 
   DirectSolver::~DirectSolver() = default;
 
-  void DirectSolver::factorize(const int n, Triplets &entries)
+  void DirectSolver::factorize(const int n, Triplets &entries, const unsigned int group_size)
   {
     Triplets kept;
     for (std::size_t k = 0; k < entries.values.size(); ++k)
@@ -103,15 +141,13 @@ namespace caudal
 
     DMUMPS_STRUC_C &data = mumps->data;
     data.n               = n;
-    data.nnz_loc         = kept.values.size();
-    data.irn_loc         = kept.rows.data();
-    data.jcn_loc         = kept.columns.data();
-    data.a_loc           = kept.values.data();
     mumps->factorized    = false;
+    mumps->set_matrix(kept);
+    mumps->set_groups(group_size);
 
-    // Approximate minimum degree orders small matrices faster than METIS, whose
+    // Approximate minimum fill orders small matrices faster than METIS, whose
     // nested dissection pays off in the factorisation of larger ones.
-    mumps->set_control(7, n < 60000 ? 0 : 5);
+    mumps->set_control(7, n < 60000 ? 2 : 5);
     // MUMPS may underestimate the working space: -8 and -9 ask for more.
     for (const int extra_space : {30, 100, 300})
     {

@@ -19,8 +19,10 @@ namespace caudal
     prm.add_parameter("Vorticity levels", vorticity_levels,
                       "The number of levels that the vorticity may ask for, counted like "
                       "Domain/Levels; 0: all [1].");
-    prm.add_parameter("Largest number of cells", largest_number_of_cells,
-                      "The vorticity asks for no more cells than this [1].");
+    prm.add_parameter(
+        "Largest number of cells", largest_number_of_cells,
+        "The vorticity asks for no more cells than this; where the bodies have brought "
+        "more, the calmest are coarsened [1].");
     prm.add_parameter(
         "Level expression", level_expression,
         "Function of x, y (and z): the level, from 0, that the grid has there at least [1].");
@@ -45,10 +47,9 @@ namespace caudal
 
   namespace
   {
-    /** The indicator above which about @p n_affordable cells are refined. */
-    double compute_affordable_threshold(const std::vector<float> &indicators,
-                                        const double threshold, const double n_affordable,
-                                        MPI_Comm communicator)
+    /** The smallest limit from @p threshold on that at most about @p n_most indicators exceed. */
+    double raise_threshold(const std::vector<float> &indicators, const double threshold,
+                           const double n_most, MPI_Comm communicator)
     {
       const auto count = [&](const double limit) {
         return Utilities::MPI::sum(
@@ -56,19 +57,118 @@ namespace caudal
                                               [&](const float i) { return i > limit; })),
             communicator);
       };
-      if (count(threshold) <= n_affordable)
+      if (count(threshold) <= n_most)
         return threshold;
       double lower = threshold, upper = threshold;
       do
         upper *= 2;
-      while (count(upper) > n_affordable);
+      while (count(upper) > n_most);
       for (unsigned int bisection = 0; bisection < 20; ++bisection)
       {
-        const double middle                            = std::sqrt(lower * upper);
-        (count(middle) > n_affordable ? lower : upper) = middle;
+        const double middle                      = std::sqrt(lower * upper);
+        (count(middle) > n_most ? lower : upper) = middle;
       }
       return upper;
     }
+
+    /** What the grid is adapted to, cell by cell. */
+    template <int dim>
+    class AdaptationCriteria
+    {
+    public:
+      using Cell = typename parallel::distributed::Triangulation<dim>::active_cell_iterator;
+
+      AdaptationCriteria(const parallel::distributed::Triangulation<dim> &triangulation,
+                         const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
+                         const Vector<float> &indicator, const RefinementParameters &parameters)
+          : body_cells(body_cells)
+          , indicator(indicator)
+          , parameters(parameters)
+          , level_function(make_expression<dim>(level_path, parameters.level_expression, 1))
+          , finest(lattice.get_finest_level())
+          , finest_vorticity(parameters.vorticity_levels == 0
+                                 ? finest
+                                 : static_cast<int>(parameters.vorticity_levels) - 1)
+          , uses_vorticity(parameters.vorticity_threshold > 0 && indicator.size() > 0)
+      {
+        if (uses_vorticity)
+          set_thresholds(triangulation);
+      }
+
+      bool needs_refinement(const Cell &cell) const
+      {
+        const int level = cell->level();
+        return level < finest &&
+               (body_cells.contains(cell->center(), level) || level < get_wanted_level(cell) ||
+                (uses_vorticity && level < finest_vorticity &&
+                 indicator[cell->active_cell_index()] > refinement_threshold));
+      }
+
+      bool may_coarsen(const Cell &cell) const
+      {
+        return is_free(cell) && (!uses_vorticity || cell->level() > finest_vorticity ||
+                                 get_family_indicator(cell) <= coarsening_threshold);
+      }
+
+    private:
+      inline static const std::string      level_path = "Refinement/Level expression";
+      const CellSet<dim>                  &body_cells;
+      const Vector<float>                 &indicator;
+      const RefinementParameters          &parameters;
+      std::unique_ptr<FunctionParser<dim>> level_function;
+      const int                            finest, finest_vorticity;
+      const bool                           uses_vorticity;
+      double                               refinement_threshold = 0, coarsening_threshold = 0;
+
+      double get_wanted_level(const Cell &cell) const
+      {
+        check_finite(level_path, parameters.level_expression, *level_function, cell->center());
+        return level_function->value(cell->center());
+      }
+
+      /** Whether neither a body nor the level expression holds the cell. */
+      bool is_free(const Cell &cell) const
+      {
+        const int level = cell->level();
+        return level > 0 && level > get_wanted_level(cell) &&
+               !body_cells.contains(cell->center(), level);
+      }
+
+      /** The largest indicator of the cells that would become one; siblings are on one rank. */
+      float get_family_indicator(const Cell &cell) const
+      {
+        float result = indicator[cell->active_cell_index()];
+        for (const auto &sibling : cell->parent()->child_iterators())
+          if (sibling->is_active() && sibling->is_locally_owned())
+            result = std::max(result, indicator[sibling->active_cell_index()]);
+        return result;
+      }
+
+      /** Keeps the number of cells near its limit, in both directions. */
+      void set_thresholds(const parallel::distributed::Triangulation<dim> &triangulation)
+      {
+        std::vector<float> coarse, fine;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+          {
+            if (cell->level() < finest_vorticity)
+              coarse.push_back(indicator[cell->active_cell_index()]);
+            if (cell->level() <= finest_vorticity && is_free(cell))
+              fine.push_back(get_family_indicator(cell));
+          }
+        constexpr double n_children   = GeometryInfo<dim>::max_children_per_cell;
+        const MPI_Comm   communicator = triangulation.get_communicator();
+        const double     n_spare =
+            1. * parameters.largest_number_of_cells - triangulation.n_global_active_cells();
+        refinement_threshold =
+            raise_threshold(coarse, parameters.vorticity_threshold,
+                            std::max(0., n_spare / (n_children - 1)), communicator);
+        const double n_fine   = Utilities::MPI::sum(static_cast<double>(fine.size()), communicator);
+        const double n_excess = std::max(0., -n_spare) * n_children / (n_children - 1);
+        coarsening_threshold  = raise_threshold(fine, parameters.vorticity_threshold / 8,
+                                                std::max(0., n_fine - n_excess), communicator);
+      }
+    };
   } // namespace
 
   template <int dim>
@@ -76,43 +176,14 @@ namespace caudal
                   const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
                   const Vector<float> &indicator, const RefinementParameters &parameters)
   {
-    const std::string path             = "Refinement/Level expression";
-    const auto        level_function   = make_expression<dim>(path, parameters.level_expression, 1);
-    const int         finest           = lattice.get_finest_level();
-    const int         finest_vorticity = parameters.vorticity_levels == 0
-                                             ? finest
-                                             : static_cast<int>(parameters.vorticity_levels) - 1;
-    const bool        use_vorticity    = parameters.vorticity_threshold > 0 && indicator.size() > 0;
-
-    std::vector<float> candidates;
-    if (use_vorticity)
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->level() < finest_vorticity)
-          candidates.push_back(indicator[cell->active_cell_index()]);
-    const double n_affordable = std::max(
-        0., (parameters.largest_number_of_cells - 1. * triangulation.n_global_active_cells()) /
-                (GeometryInfo<dim>::max_children_per_cell - 1));
-    const double threshold =
-        use_vorticity ? compute_affordable_threshold(candidates, parameters.vorticity_threshold,
-                                                     n_affordable, triangulation.get_communicator())
-                      : 0;
-
-    bool any_flag = false;
+    const AdaptationCriteria<dim> criteria(triangulation, lattice, body_cells, indicator,
+                                           parameters);
+    bool                          any_flag = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        const int    level        = cell->level();
-        const double wanted_level = level_function->value(cell->center());
-        check_finite(path, parameters.level_expression, *level_function, cell->center());
-        const double vorticity = use_vorticity ? indicator[cell->active_cell_index()] : 0;
-        const bool   needs_refinement =
-            level < finest &&
-            (body_cells.contains(cell->center(), level) || level < wanted_level ||
-             (use_vorticity && level < finest_vorticity && vorticity > threshold));
-        const bool may_coarsen =
-            level > 0 && level > wanted_level && !body_cells.contains(cell->center(), level) &&
-            (vorticity <= parameters.vorticity_threshold / 8 || level > finest_vorticity);
-
+        const bool needs_refinement = criteria.needs_refinement(cell);
+        const bool may_coarsen      = !needs_refinement && criteria.may_coarsen(cell);
         if (needs_refinement)
           cell->set_refine_flag();
         else if (may_coarsen)

@@ -56,11 +56,12 @@ namespace caudal
    * The linear system of a step: momentum, continuity and all bodies at once,
    *   A du + B^T dq - sum_b G_b^T dPhi_b = r_u,   B du = r_p,
    *   and the BodyEquations,
-   * solved by FGMRES. The preconditioner is the block triangular one of the
-   * augmented Lagrangian (see MomentumOperator), in which velocities and bodies
-   * are factorised together. With an up-to-date factorisation two or three
-   * iterations do; an older one is reused as long as the additional iterations
-   * cost less than a new one.
+   * solved by generalised conjugate residuals. The preconditioner is the block triangular one
+   * of the augmented Lagrangian (see MomentumOperator), in which velocities and bodies are
+   * factorised together. There r_Phi stands in the rows of dU and r_U in those of dPhi: then
+   * only dPhi shares rows and columns with the fluid, and the factors are smaller by up to a
+   * fifth. With an up-to-date factorisation one to three iterations do; an older one is reused as
+   * long as the additional iterations cost less than a new one.
    */
   template <int dim>
   class CoupledSystem
@@ -120,7 +121,8 @@ namespace caudal
     unsigned int count_affordable_iterations() const;
     void         factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
 
-    /** FGMRES; more than @p n_affordable iterations are returned if these did not do. */
+    /** Generalised conjugate residuals; more than @p n_affordable iterations are returned if these
+     * did not do. */
     unsigned int iterate(BlockFieldVector &solution, const BlockFieldVector &rhs,
                          const std::vector<Body> &bodies, const MomentumWeights &weights,
                          double reference, unsigned int n_affordable);

@@ -34,10 +34,12 @@ namespace caudal
 
     /**
      * Orders and factorises the @p n x @p n matrix that is the sum of all
-     * entries of all ranks (indices from 0; @p entries is left unchanged).
+     * entries of all ranks (indices from 0; @p entries is left unchanged). Unknowns are
+     * ordered in groups of @p group_size with consecutive indices, such as the components of a
+     * velocity: that is cheaper than one by one.
      * Throws if the matrix is singular or memory runs out.
      */
-    void factorize(int n, Triplets &entries);
+    void factorize(int n, Triplets &entries, unsigned int group_size = 1);
 
     /** Replaces @p vector, its blocks one after the other, by the solution. */
     void solve(BlockFieldVector &vector);

@@ -27,7 +27,8 @@ namespace caudal
    * each active cell, h |vorticity| [m/s] at its largest (refine above the
    * threshold, coarsen below an eighth of it); never coarser than the level
    * expression. If the cells would become too many, those with the smallest
-   * indicator are not refined. Returns whether any flag is set (collective).
+   * indicator are not refined; if they are too many, coarsened. Returns whether any flag is set
+   * (collective).
    */
   template <int dim>
   bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
