@@ -85,6 +85,17 @@ namespace
                                report.kinetic_energy_change) < 1e-12)
                   << '\n';
     }
+
+    // The number of cells is bounded also after they have become too many.
+    parameters.refinement.vorticity_threshold = 0.2;
+    adaptation.adapt(0, 0.01);
+    const unsigned int n_most                     = 2 * triangulation.n_global_active_cells() / 3;
+    parameters.refinement.largest_number_of_cells = n_most;
+    for (unsigned int k = 0; k < 3; ++k)
+      adaptation.adapt(0, 0.01);
+    const unsigned int n_cells = triangulation.n_global_active_cells();
+    if (is_root)
+      std::cout << "  bounded " << (n_cells < 1.05 * n_most && n_cells > 0.8 * n_most) << '\n';
   }
 
   /**
