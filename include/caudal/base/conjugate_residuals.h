@@ -38,6 +38,7 @@ namespace caudal
       VectorType z(b), w(b);
       P.vmult(z, residual);
       A.vmult(w, z);
+      const double round_off = 1e-14 * w.l2_norm();
       for (unsigned int k = 0; k < images.size(); ++k)
       {
         const double projection = images[k] * w;
@@ -45,8 +46,8 @@ namespace caudal
         z.add(-projection, directions[k]);
       }
       const double norm = w.l2_norm();
-      if (!(norm > 0))
-        break;
+      if (!(norm > round_off))
+        break; // nothing new: A is singular, or the limit of the arithmetic is reached
       w /= norm;
       z /= norm;
       const double length = residual * w;
