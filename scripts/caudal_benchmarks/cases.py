@@ -154,14 +154,15 @@ def evaluate_csm(ux, uy):
 
 
 def evaluate_csm3(runs):
-    ux, uy = get_tip(runs[0])
+    """Over the last two periods: higher modes take up energy, by which ux loses 2 % in 10 s."""
+    ux, uy = get_tip(runs[0], n_periods=2)
     return (describe(ux, "ux [mm]", (-14.305, 0.005), (14.305, 0.005), (1.0995, 0.005))
             + describe(uy, "uy [mm]", (-63.607, 0.005), (65.160, 0.005), (1.0995, 0.005)))
 
 
-def get_tip(run, scale=1.):
+def get_tip(run, scale=1., **options):
     """Displacement of point A in mm; changes that are small beside `scale` don't count."""
-    return [Signal(run, column, MILLIMETRE, scale, start)
+    return [Signal(run, column, MILLIMETRE, scale, start, **options)
             for column, start in zip(TIP, TIP_AT_START)]
 
 

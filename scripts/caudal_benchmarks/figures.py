@@ -43,12 +43,13 @@ class Figure:
 class Signal:
     """A column of the statistics, in units of `factor`, with its behaviour at the end."""
 
-    def __init__(self, run, column, factor=1., scale=None, offset=0.):
+    def __init__(self, run, column, factor=1., scale=None, offset=0.,
+                 n_periods=oscillation.PERIODS):
         self.name = column
         self.time = run.time
         self.values = factor * (run.get(column) - offset)
         largest = np.abs(self.values[len(self.values) // 2:]).max()
-        self.end = oscillation.analyse(self.time, self.values, scale or largest or 1.)
+        self.end = oscillation.analyse(self.time, self.values, scale or largest or 1., n_periods)
 
     def get_mean_of_last_periods(self):
         """The mean over time, not (max + min)/2, from the begin of the last whole periods on."""

@@ -50,7 +50,7 @@ def join_unequal_beats(time, values, rises):
     return rises if min(odd, even) > UNEQUAL * max(odd, even) else rises[-1::-2][::-1]
 
 
-def analyse(time, values, scale):
+def analyse(time, values, scale, n_periods=PERIODS):
     """The end of a signal whose changes matter if they are not small beside `scale`."""
     late = time >= time[-1] - 0.1 * (time[-1] - time[0])
     if np.ptp(values[late]) < 2e-3 * scale:
@@ -60,10 +60,10 @@ def analyse(time, values, scale):
     half = time >= time[0] + 0.5 * (time[-1] - time[0])
     # A signal whose amplitude still grows is judged by its end.
     rises = find_rises(time[half], values[half])
-    if len(rises) > PERIODS + 1:
-        last = time >= rises[-PERIODS - 2]
+    if len(rises) > n_periods + 1:
+        last = time >= rises[-n_periods - 2]
         rises = find_rises(time[last], values[last])
-    rises = join_unequal_beats(time, values, rises)[-PERIODS - 1:]
+    rises = join_unequal_beats(time, values, rises)[-n_periods - 1:]
     if len(rises) < 2:
         return Oscillation((values[half].max() + values[half].min()) / 2, np.ptp(values[half]) / 2,
                            0., time[half][0], values[half].max(),
