@@ -31,7 +31,9 @@ namespace caudal
       for (const int channel : {1, 2, 3})
         set_control(channel, -1);
       set_control(4, 0); // no messages
-      set_control(6, 0); // the diagonal has no zeros to be permuted away
+      // Rows stay where the caller put them: what is zero on the diagonal, for the bodies'
+      // force densities, fills in when their neighbours are eliminated.
+      set_control(6, 0);
       set_control(18, is_distributed() ? 3 : 0);
       set_control(10, 0); // no iterative refinement: the caller iterates
       // Pivots move only where they are tiny: the augmented and the bodies' rows

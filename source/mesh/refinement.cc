@@ -84,13 +84,14 @@ namespace caudal
           : body_cells(body_cells)
           , indicator(indicator)
           , parameters(parameters)
-          , level_function(make_expression<dim>(level_path, parameters.level_expression, 1))
           , finest(lattice.get_finest_level())
           , finest_vorticity(parameters.vorticity_levels == 0
                                  ? finest
                                  : static_cast<int>(parameters.vorticity_levels) - 1)
           , uses_vorticity(parameters.vorticity_threshold > 0 && indicator.size() > 0)
+          , wanted_levels(triangulation.n_active_cells())
       {
+        set_wanted_levels(triangulation);
         if (uses_vorticity)
           set_thresholds(triangulation);
       }
@@ -98,10 +99,10 @@ namespace caudal
       bool needs_refinement(const Cell &cell) const
       {
         const int level = cell->level();
-        return level < finest &&
-               (body_cells.contains(cell->center(), level) || level < get_wanted_level(cell) ||
-                (uses_vorticity && level < finest_vorticity &&
-                 indicator[cell->active_cell_index()] > refinement_threshold));
+        return level < finest && (body_cells.contains(cell->center(), level) ||
+                                  level < wanted_levels[cell->active_cell_index()] ||
+                                  (uses_vorticity && level < finest_vorticity &&
+                                   indicator[cell->active_cell_index()] > refinement_threshold));
       }
 
       bool may_coarsen(const Cell &cell) const
@@ -111,26 +112,31 @@ namespace caudal
       }
 
     private:
-      inline static const std::string      level_path = "Refinement/Level expression";
-      const CellSet<dim>                  &body_cells;
-      const Vector<float>                 &indicator;
-      const RefinementParameters          &parameters;
-      std::unique_ptr<FunctionParser<dim>> level_function;
-      const int                            finest, finest_vorticity;
-      const bool                           uses_vorticity;
-      double                               refinement_threshold = 0, coarsening_threshold = 0;
+      const CellSet<dim>         &body_cells;
+      const Vector<float>        &indicator;
+      const RefinementParameters &parameters;
+      const int                   finest, finest_vorticity;
+      const bool                  uses_vorticity;
+      std::vector<double>         wanted_levels; // of the owned active cells
+      double                      refinement_threshold = 0, coarsening_threshold = 0;
 
-      double get_wanted_level(const Cell &cell) const
+      void set_wanted_levels(const parallel::distributed::Triangulation<dim> &triangulation)
       {
-        check_finite(level_path, parameters.level_expression, *level_function, cell->center());
-        return level_function->value(cell->center());
+        const std::string path    = "Refinement/Level expression";
+        const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+          {
+            check_finite(path, parameters.level_expression, *level_function, cell->center());
+            wanted_levels[cell->active_cell_index()] = level_function->value(cell->center());
+          }
       }
 
       /** Whether neither a body nor the level expression holds the cell. */
       bool is_free(const Cell &cell) const
       {
         const int level = cell->level();
-        return level > 0 && level > get_wanted_level(cell) &&
+        return level > 0 && level > wanted_levels[cell->active_cell_index()] &&
                !body_cells.contains(cell->center(), level);
       }
 
