@@ -1,4 +1,4 @@
-#include <caudal/base/expression.h>
+#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/control_volume.h>
 #include <caudal/fluid/face_flow.h>
 
@@ -112,9 +112,8 @@ namespace caudal
                                           const FluidState<dim> &state, const BoundingBox<dim> &box,
                                           const double time)
     {
-      const auto &parameters = space.get_parameters();
-      const auto  body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
-      body_force->set_time(time);
+      const double                     density = space.get_parameters().density;
+      BodyForce<dim>                   body_force(space.get_parameters(), time);
       const QGauss<dim>                quadrature(space.velocity_element.degree + 1);
       const FEValuesExtractors::Vector components(0);
       FEValues<dim>                    values(space.velocity_element, quadrature,
@@ -128,9 +127,8 @@ namespace caudal
           values[components].get_function_values(state.velocity, velocity);
           for (const unsigned int q : values.quadrature_point_indices())
           {
-            balance.momentum += parameters.density * velocity[q] * values.JxW(q);
-            for (unsigned int d = 0; d < dim; ++d)
-              balance.force[d] += body_force->value(values.quadrature_point(q), d) * values.JxW(q);
+            balance.momentum += density * velocity[q] * values.JxW(q);
+            balance.force += body_force.value(values.quadrature_point(q)) * values.JxW(q);
           }
         }
       return balance;

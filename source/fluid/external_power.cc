@@ -1,4 +1,4 @@
-#include <caudal/base/expression.h>
+#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/external_power.h>
 #include <caudal/fluid/face_flow.h>
 
@@ -69,11 +69,9 @@ namespace caudal
     double compute_body_force_power(const FluidSpace<dim> &space, const FieldVector &velocity,
                                     const double time)
     {
-      const auto &parameters = space.get_parameters();
-      if (!parameters.has_body_force())
+      BodyForce<dim> body_force(space.get_parameters(), time);
+      if (body_force.is_zero())
         return 0.;
-      const auto body_force = make_expression<dim>("Fluid/Body force", parameters.body_force, dim);
-      body_force->set_time(time);
       const QGauss<dim>           quadrature(space.velocity_element.degree + 1);
       FEValues<dim>               values(space.velocity_element, quadrature,
                                          update_values | update_quadrature_points | update_JxW_values);
@@ -85,8 +83,7 @@ namespace caudal
           values.reinit(cell);
           values[FEValuesExtractors::Vector(0)].get_function_values(velocity, at);
           for (const unsigned int q : values.quadrature_point_indices())
-            for (unsigned int d = 0; d < dim; ++d)
-              power += body_force->value(values.quadrature_point(q), d) * at[q][d] * values.JxW(q);
+            power += body_force.value(values.quadrature_point(q)) * at[q] * values.JxW(q);
         }
       return power;
     }

@@ -1,6 +1,5 @@
+#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/momentum_operator.h>
-
-#include <caudal/base/expression.h>
 
 #include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -93,8 +92,6 @@ namespace caudal
 
   namespace
   {
-    const std::string body_force_path = "Fluid/Body force";
-
     /**
      * Adds what the skew-symmetric form of the convection lacks on outflow
      * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
@@ -205,6 +202,7 @@ namespace caudal
         , convection(values.size() / dim, values.size() / dim)
         , force_values(space.velocity_element, QGauss<dim>(3),
                        update_values | update_quadrature_points | update_JxW_values)
+        , body_force(parameters, step.time)
     {
       for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
       {
@@ -212,11 +210,6 @@ namespace caudal
         old_matrices.emplace_back(values.size(), values.size());
         space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
         space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
-      }
-      if (parameters.has_body_force())
-      {
-        body_force = make_expression<dim>(body_force_path, parameters.body_force, dim);
-        body_force->set_time(step.time);
       }
     }
 
@@ -243,7 +236,7 @@ namespace caudal
       }
       Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
       matrices.get_divergence().Tvmult_add(residual, pressures);
-      if (body_force)
+      if (!body_force.is_zero())
         add_body_force(cell, residual);
     }
 
@@ -266,16 +259,16 @@ namespace caudal
     }
 
   private:
-    const FluidSpace<dim>               &space;
-    const MomentumStep                  &step;
-    const FluidParameters<dim>          &parameters;
-    const double                         rate;
-    ComponentwiseProduct<dim>            componentwise;
-    Vector<double>                       values, product, transport, pressures;
-    FullMatrix<double>                   convection;
-    std::vector<FullMatrix<double>>      implicit_matrices, old_matrices;
-    FEValues<dim>                        force_values;
-    std::unique_ptr<FunctionParser<dim>> body_force;
+    const FluidSpace<dim>          &space;
+    const MomentumStep             &step;
+    const FluidParameters<dim>     &parameters;
+    const double                    rate;
+    ComponentwiseProduct<dim>       componentwise;
+    Vector<double>                  values, product, transport, pressures;
+    FullMatrix<double>              convection;
+    std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
+    FEValues<dim>                   force_values;
+    BodyForce<dim>                  body_force;
 
     void compute_convection(const Cell &cell, const Vector<double> &velocity)
     {
@@ -291,12 +284,11 @@ namespace caudal
       force_values.reinit(cell);
       for (const unsigned int q : force_values.quadrature_point_indices())
       {
-        const Point<dim> &point = force_values.quadrature_point(q);
-        check_finite(body_force_path, parameters.body_force, *body_force, point);
+        const Tensor<1, dim> force =
+            body_force.value(force_values.quadrature_point(q)) * force_values.JxW(q);
         for (unsigned int i = 0; i < residual.size(); ++i)
-          residual[i] +=
-              body_force->value(point, space.velocity_element.system_to_component_index(i).first) *
-              force_values.shape_value(i, q) * force_values.JxW(q);
+          residual[i] += force[space.velocity_element.system_to_component_index(i).first] *
+                         force_values.shape_value(i, q);
       }
     }
   };

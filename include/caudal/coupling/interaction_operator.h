@@ -15,7 +15,7 @@ namespace caudal
   /** Section `Coupling`. */
   struct CouplingParameters
   {
-    std::string kernel             = "four-point";
+    std::string kernel             = "dirac";
     double      quadrature_density = 1.5;
 
     void add_parameters(ParameterHandler &prm);
