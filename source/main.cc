@@ -74,7 +74,7 @@ namespace
       std::ostringstream summary;
       swimmer.print_summary(summary);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cout << summary.str() << command_line.file << ": nothing speaks against a run.\n";
+        std::cout << summary.str() << "Nothing speaks against a run.\n";
       return finished;
     }
 
@@ -96,11 +96,6 @@ namespace
   {
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
-    if (command_line.action == Action::check)
-    {
-      RunParameters<dim> parameters(&file);
-      return run_model<ImmersedSwimmer<dim>>(parameters, file, command_line);
-    }
     if (command_line.action == Action::verify_restart)
     {
       const std::string result = verify_restart<dim>(file, n_verified, MPI_COMM_WORLD);
@@ -109,6 +104,14 @@ namespace
       return finished;
     }
     const ImmersedRun<dim> run(file, MPI_COMM_WORLD);
+    if (command_line.action == Action::check)
+    {
+      std::ostringstream summary;
+      run.check(summary, command_line.fast);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << summary.str();
+      return finished;
+    }
     const Outcome outcome = command_line.action == Action::resume ? run.resume(stop_requested)
                                                                   : run.start(stop_requested);
     return outcome == Outcome::finished ? finished : stopped;

@@ -20,6 +20,12 @@ namespace caudal
   }
 
   template <int dim>
+  void ImmersedRun<dim>::check(std::ostream &out, const bool fast) const
+  {
+    ImmersedSwimmer<dim>(parameters, communicator).check(out, fast);
+  }
+
+  template <int dim>
   Outcome ImmersedRun<dim>::start(const std::function<bool()> &stop_requested) const
   {
     // What can be wrong with the case is found before anything is written.

@@ -1,6 +1,6 @@
 #include <caudal/app/immersed_swimmer.h>
 
-#include <caudal/io/on_root.h>
+#include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/utilities.h>
@@ -127,20 +127,51 @@ namespace caudal
         << " pressure unknowns, finest spacing " << spacing << " m\n";
     for (const auto &body : bodies)
     {
-      const SolidBody<dim> &solid  = body->solid;
-      const BodyExtent      extent = compute_extent(solid.get_triangulation());
+      const SolidBody<dim> &solid = body->solid;
       out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
           << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
-          << (dim == 2 ? " m^2" : " m^3") << ", length " << extent.length << " m\n";
-      const double width = 4 * body->interaction.get_support() * spacing.norm() / std::sqrt(dim);
-      for (unsigned int r = 0; r < extent.region_thickness.size(); ++r)
-        if (extent.region_thickness[r] < width)
-          out << "Warning: region " << solid.get_parameters().regions[r] << " of body "
-              << body->get_name() << " is " << extent.region_thickness[r]
-              << " m thick at its thinnest, less than the width " << width
-              << " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
-                 "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).\n";
+          << (dim == 2 ? " m^2" : " m^3") << ", length "
+          << compute_extent(solid.get_triangulation()).length << " m\n";
     }
+    for (const std::string &doubt : CaseCheck<dim>(parameters, system).find_doubts())
+      out << "Warning: " << doubt << '\n';
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::check(std::ostream &out, const bool fast)
+  {
+    const CaseCheck<dim> check(parameters, system);
+    print_summary(out);
+    check.print_resolution(out);
+    check.print_costs(out, fast ? TrialCost() : try_steps(4));
+    const std::size_t n_doubts = check.find_doubts().size();
+    if (n_doubts == 0)
+      out << "Nothing speaks against a run.\n";
+    else
+      out << "The case can be run; see the " << (n_doubts == 1 ? "warning" : "warnings")
+          << " above.\n";
+  }
+
+  template <int dim>
+  TrialCost ImmersedSwimmer<dim>::try_steps(const unsigned int n_steps)
+  {
+    TimeStepper stepper(parameters.time);
+    TrialCost   cost;
+    Timer       trial_clock(communicator);
+    while (cost.n_steps < n_steps && !stepper.is_at_end())
+    {
+      if (cost.n_steps == 1)
+        trial_clock.restart();
+      const StepResult result = scheme->advance(stepper);
+      scheme->accept(stepper.get_step());
+      stepper.accept(result.indicators);
+      ++cost.n_steps;
+    }
+    if (cost.n_steps > 1)
+      cost.seconds =
+          Utilities::MPI::max(trial_clock.wall_time(), communicator) / (cost.n_steps - 1);
+    cost.memory = get_memory();
+    return cost;
   }
 
   template <int dim>
@@ -312,17 +343,23 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::print_costs(const unsigned int n_steps, const double duration,
-                                         const double period, std::ostream &out) const
+  unsigned int ImmersedSwimmer<dim>::get_memory() const
   {
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
+    return Utilities::MPI::sum(memory.VmHWM, communicator) / 1024;
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::print_costs(const unsigned int n_steps, const double duration,
+                                         const double period, std::ostream &out) const
+  {
     const double total = clock.wall_time();
     out << "\n"
         << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
         << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
-        << coupled_system.get_factor_entries() << " entries, "
-        << Utilities::MPI::sum(memory.VmHWM, communicator) / 1024 << " MiB of memory on all ranks";
+        << coupled_system.get_factor_entries() << " entries, " << get_memory()
+        << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";
     if (duration > 0 && period > 0)

@@ -1,6 +1,6 @@
 #include <caudal/app/potential_output.h>
 #include <caudal/app/potential_swimmer.h>
-#include <caudal/io/on_root.h>
+#include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
 #include <caudal/potential/phase_table.h>
 

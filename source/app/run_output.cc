@@ -1,6 +1,6 @@
 #include <caudal/app/run_output.h>
+#include <caudal/base/collective.h>
 #include <caudal/fluid/external_power.h>
-#include <caudal/io/on_root.h>
 
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>

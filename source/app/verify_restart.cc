@@ -1,6 +1,6 @@
 #include <caudal/app/immersed_run.h>
 #include <caudal/app/verify_restart.h>
-#include <caudal/io/on_root.h>
+#include <caudal/base/collective.h>
 #include <caudal/io/safe_file.h>
 
 #include <cmath>

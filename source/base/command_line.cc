@@ -37,6 +37,8 @@ namespace caudal
         choose(line, Action::version);
       else if (*argument == "--check")
         choose(line, Action::check);
+      else if (*argument == "--fast")
+        line.fast = true;
       else if (*argument == "--verify-restart")
         choose(line, Action::verify_restart);
       else if (*argument == "--resume")
@@ -72,6 +74,8 @@ namespace caudal
     AssertThrow(line.action != Action::resume || line.file.empty(),
                 ExcMessage("--resume takes its parameters from the folder of the run; the file <" +
                            line.file + "> is not needed. Change single ones by -D." + remedy));
+    AssertThrow(!line.fast || line.action == Action::check,
+                ExcMessage("--fast makes --check faster, which is not given." + remedy));
     const bool needs_file = line.action == Action::run || line.action == Action::check ||
                             line.action == Action::verify_restart;
     AssertThrow(!needs_file || !line.file.empty(),
@@ -88,7 +92,11 @@ namespace caudal
            "  caudal --resume FOLDER      go on with the run whose results are in this folder, "
            "from\n"
            "                              its newest whole checkpoint\n"
-           "  caudal --check file.prm     check the case and show its size, without running it\n"
+           "  caudal --check [--fast] file.prm\n"
+           "                              check the case; show its size, how it is resolved, what "
+           "it\n"
+           "                              will cost (from four steps, not with --fast), and "
+           "doubts\n"
            "  caudal --print-parameters [prm|md] [file.prm]\n"
            "                              show all parameters (those of the case) with their\n"
            "                              defaults, as a parameter file or as Markdown\n"

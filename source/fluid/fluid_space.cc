@@ -1,5 +1,6 @@
 #include <caudal/fluid/fluid_space.h>
 
+#include <caudal/base/collective.h>
 #include <caudal/base/expression.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -90,19 +91,21 @@ namespace caudal
 
     const std::vector<BoundaryCondition> conditions = parameters.get_boundary_conditions();
     // Walls come first: where they meet an inflow, the corner is at rest.
-    for (const BoundaryCondition condition :
-         {BoundaryCondition::wall, BoundaryCondition::inflow, BoundaryCondition::free_slip})
-      for (unsigned int side = 0; side < conditions.size(); ++side)
-        if (conditions[side] == condition)
-        {
-          ComponentMask components(dim, condition != BoundaryCondition::free_slip);
-          components.set(side / 2, true);
-          const bool is_inflow = condition == BoundaryCondition::inflow && !homogeneous;
-          VectorTools::interpolate_boundary_values(
-              velocity_dofs, side,
-              is_inflow ? static_cast<const Function<dim> &>(ramped_inflow) : zero, result,
-              components);
-        }
+    run_on_all(get_communicator(), [&]() {
+      for (const BoundaryCondition condition :
+           {BoundaryCondition::wall, BoundaryCondition::inflow, BoundaryCondition::free_slip})
+        for (unsigned int side = 0; side < conditions.size(); ++side)
+          if (conditions[side] == condition)
+          {
+            ComponentMask components(dim, condition != BoundaryCondition::free_slip);
+            components.set(side / 2, true);
+            const bool is_inflow = condition == BoundaryCondition::inflow && !homogeneous;
+            VectorTools::interpolate_boundary_values(
+                velocity_dofs, side,
+                is_inflow ? static_cast<const Function<dim> &>(ramped_inflow) : zero, result,
+                components);
+          }
+    });
     result.close();
     return result;
   }

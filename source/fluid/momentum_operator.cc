@@ -1,3 +1,4 @@
+#include <caudal/base/collective.h>
 #include <caudal/fluid/body_force.h>
 #include <caudal/fluid/momentum_operator.h>
 
@@ -309,19 +310,23 @@ namespace caudal
     FullMatrix<double>                   convection(n, n);
     Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell_residual = 0;
-        assembler.add_known_terms(cell, pressure, cell_residual);
-        assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
-        cell->get_dof_indices(dofs);
-        space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
-        if (step.transport != nullptr)
-          space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
-      }
+    // A body force may fail on the cells of one rank only.
+    const std::string error = catch_error([&]() {
+      for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          cell_residual = 0;
+          assembler.add_known_terms(cell, pressure, cell_residual);
+          assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
+          cell->get_dof_indices(dofs);
+          space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
+          if (step.transport != nullptr)
+            space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
+        }
+    });
     matrix.compress(VectorOperation::add);
     residual.compress(VectorOperation::add);
+    throw_on_all(space.get_communicator(), error);
     return matrix_changes;
   }
 

@@ -1,6 +1,6 @@
 #include <caudal/io/checkpoint_folder.h>
 
-#include <caudal/io/on_root.h>
+#include <caudal/base/collective.h>
 #include <caudal/io/safe_file.h>
 
 #include <boost/crc.hpp>

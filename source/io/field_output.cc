@@ -1,5 +1,5 @@
+#include <caudal/base/collective.h>
 #include <caudal/io/field_output.h>
-#include <caudal/io/on_root.h>
 #include <caudal/io/safe_file.h>
 
 #include <deal.II/grid/reference_cell.h>

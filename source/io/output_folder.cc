@@ -1,4 +1,4 @@
-#include <caudal/io/on_root.h>
+#include <caudal/base/collective.h>
 #include <caudal/io/output_folder.h>
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 #include <caudal/mesh/refinement.h>
 
+#include <caudal/base/collective.h>
 #include <caudal/base/expression.h>
 
 #include <cmath>
@@ -124,12 +125,14 @@ namespace caudal
       {
         const std::string path    = "Refinement/Level expression";
         const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned())
-          {
-            check_finite(path, parameters.level_expression, *level_function, cell->center());
-            wanted_levels[cell->active_cell_index()] = level_function->value(cell->center());
-          }
+        run_on_all(triangulation.get_communicator(), [&]() {
+          for (const auto &cell : triangulation.active_cell_iterators())
+            if (cell->is_locally_owned())
+            {
+              check_finite(path, parameters.level_expression, *level_function, cell->center());
+              wanted_levels[cell->active_cell_index()] = level_function->value(cell->center());
+            }
+        });
       }
 
       /** Whether neither a body nor the level expression holds the cell. */

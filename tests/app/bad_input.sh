@@ -123,6 +123,14 @@ echo "* more ranks than cells"
 mpirun -np 3 "$CAUDAL" good.prm -D "Domain/Cells=2,1" -D "Domain/Levels=5" 2>&1 | grep -m 1 Error
 [ ! -e results ] || echo "    there is a folder of results"
 
-echo "* the case is good, with a warning"
-"$CAUDAL" --check good.prm -D "Coupling/Kernel=four-point" | grep -o "Warning.*"
-"$CAUDAL" --check good.prm
+echo "* the case is good, with warnings"
+"$CAUDAL" --check --fast good.prm
+"$CAUDAL" --check --fast good.prm -D "Coupling/Kernel=four-point" | grep -o "Warning.* kernel:"
+"$CAUDAL" --check good.prm | sed -n 's/^Trial: 2 steps, .* MiB. 2 steps on these cells take about .*/    two trial steps/p'
+# A fish in a narrow tank, with more cells across than the fluid has, that beats too fast for the step
+"$CAUDAL" --check --fast good.prm -D "Body fish/Gait/Type=travelling wave" -D "Body fish/Shape/Elements=80,12" \
+  -D "Time/End time=10" -D "Time/Step=0.05" | grep "Warning\|room"
+"$CAUDAL" --check --fast good.prm -D "Body fish/Gait/Type=travelling wave" -D "Refinement/Vorticity threshold=0.1" \
+  -D "Refinement/Largest number of cells=200" -D "Domain/Cells=16,16" -D "Domain/Size=8,8" \
+  -D "Body fish/Shape/Position=3,4" | grep "Refinement"
+[ ! -e results ] || echo "    there is a folder of results"

@@ -67,3 +67,15 @@ fail "an inflow that ceases to be a number" -D "Fluid/Boundary conditions/left=i
   -D "Fluid/Inflow velocity=sqrt(0.12-t);0" -D "Fluid/Boundary conditions/right=outflow"
 fail "a velocity that overflows" -D "Fluid/Body force=y*1e308;0"
 fail "a solver that does not converge" -D "Solver/Largest number of iterations=2" -D "Solver/Tolerance=1e-15"
+
+# An error of one rank alone, the one that has the upper half, is one of all.
+fail_on_one_rank() {
+  echo "* one of two ranks meets an error in $1"
+  timeout 60 mpirun -np 2 "$CAUDAL" base.prm -D "$1=$2" -D "Time/Step=0.01" \
+    -D "Fluid/Boundary conditions/right=inflow" -D "Fluid/Boundary conditions/left=outflow" >printed 2>errors
+  echo "    exit code $?"
+  grep -m 1 -o "$1.*not a finite number" errors | sed 's/^/    /'
+}
+fail_on_one_rank "Fluid/Body force" "if(y > 0.7, sqrt(0.12-t), 0);0"
+fail_on_one_rank "Fluid/Inflow velocity" "if(y > 0.7, sqrt(0.12-t), 0);0"
+fail_on_one_rank "Refinement/Level expression" "if(y > 0.7, sqrt(-y), 1)"

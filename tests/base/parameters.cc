@@ -132,7 +132,8 @@ namespace
     arguments.insert(arguments.begin(), "caudal");
     try_to([&] {
       const CommandLine line = parse_command_line(arguments.size(), arguments.data());
-      std::cout << static_cast<int>(line.action) << " <" << line.file << "> " << line.format;
+      std::cout << static_cast<int>(line.action) << " <" << line.file << "> " << line.format
+                << (line.fast ? " fast" : "");
       for (const std::string &text : line.overrides)
         std::cout << " <" << text << '>';
       std::cout << '\n';
@@ -153,6 +154,8 @@ int main()
 
   test_command_line({"a.prm", "-D", "A/B=1", "-DC=2"});
   test_command_line({"--check", "a.prm"});
+  test_command_line({"--check", "--fast", "a.prm"});
+  test_command_line({"--fast", "a.prm"});
   test_command_line({"--help"});
   test_command_line({"--version"});
   test_command_line({"--print-parameters", "md", "a.prm"});

@@ -13,6 +13,9 @@ namespace caudal
     /** Reads and checks all parameters. */
     ImmersedRun(const ParameterFile &file, MPI_Comm communicator);
 
+    /** Says what the case is like; a fast check makes no trial steps. Writes nothing. */
+    void check(std::ostream &out, bool fast) const;
+
     /** Runs the case in its folder, from the start. */
     Outcome start(const std::function<bool()> &stop_requested) const;
 

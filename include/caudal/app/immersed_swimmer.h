@@ -1,6 +1,7 @@
 #ifndef caudal_app_immersed_swimmer_h
 #define caudal_app_immersed_swimmer_h
 
+#include <caudal/app/case_check.h>
 #include <caudal/app/checkpoints.h>
 #include <caudal/app/failure_report.h>
 #include <caudal/app/guards.h>
@@ -22,6 +23,9 @@ namespace caudal
 
     /** Cells, unknowns and sizes, with warnings about what is likely to go wrong. */
     void print_summary(std::ostream &out) const;
+
+    /** Resolution, costs, doubts: what the case is like. A fast check makes no trial steps. */
+    void check(std::ostream &out, bool fast);
 
     /** The values of all parameters, which checkpoints keep to be compared. */
     void set_parameter_values(const ParameterValues &values);
@@ -55,11 +59,13 @@ namespace caudal
 
     /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
     void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;
+    unsigned int     get_memory() const; // the most so far [MiB], on all ranks
     BoundingBox<dim> get_domain() const;
     void             check_probes() const;
     void             check_bodies() const;
     void             start_bodies();
     void             adapt_grid(const TimeStepper &stepper, Log &log);
+    TrialCost        try_steps(unsigned int n_steps);
     StepResult       advance(TimeStepper &stepper, Log &log);
     void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);
     bool is_out_of_time() const;

@@ -25,6 +25,7 @@ namespace caudal
     std::string              folder;         // of the run to resume
     std::vector<std::string> overrides;      // "Section/Entry=value"
     std::string              format = "prm"; // of print_parameters: "prm" or "md"
+    bool                     fast   = false; // of check: no trial steps
   };
 
   /** Throws a sentence for anything that is not described by get_help(). */

@@ -1,5 +1,5 @@
-#ifndef caudal_io_on_root_h
-#define caudal_io_on_root_h
+#ifndef caudal_base_collective_h
+#define caudal_base_collective_h
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -47,17 +47,22 @@ namespace caudal
     AssertThrow(error.empty(), dealii::ExcMessage(error));
   }
 
-  /** Runs @p action on all ranks; what the first of them throws, all throw. Collective. */
-  template <typename Action>
-  void run_on_all(const MPI_Comm communicator, const Action &action)
+  /** Throws the error of the first rank that has one on all ranks. Collective. */
+  inline void throw_on_all(const MPI_Comm communicator, const std::string &error)
   {
-    const std::string  error = catch_error(action);
-    const unsigned int rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int none  = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int none = dealii::Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int first =
         dealii::Utilities::MPI::min(error.empty() ? none : rank, communicator);
     AssertThrow(first == none,
                 dealii::ExcMessage(dealii::Utilities::MPI::broadcast(communicator, error, first)));
+  }
+
+  /** Runs @p action on all ranks; what the first of them throws, all throw. Collective. */
+  template <typename Action>
+  void run_on_all(const MPI_Comm communicator, const Action &action)
+  {
+    throw_on_all(communicator, catch_error(action));
   }
 } // namespace caudal
 
