@@ -78,6 +78,16 @@ def check_body(run, gate=None, label=""):
             Figure(f"max J{label}", run.get(f"{body}: max J")[late].max())]
 
 
+def check_ledger(run, period, n_periods=oscillation.PERIODS):
+    """The energy that nothing accounts for, of the work done in the last periods: within 1 %."""
+    begin = run.time[-1] - n_periods * period
+    change = {column: np.interp(run.time[-1], run.time, run.get(column))
+              - np.interp(begin, run.time, run.get(column))
+              for column in ("energy residual", "external work")}
+    return Figure("energy residual [% of the work]",
+                  100 * change["energy residual"] / change["external work"], gate=(-1., 1.))
+
+
 def compare_force_accounts(run, body, direction):
     """The means of the force by its accounts, against that from the body force: within 1 %."""
     first = Signal(run, f"{body}: force {direction} of the fluid")

@@ -19,6 +19,7 @@ SERIES = (("40, 6", 6), ("280, 42", 4), ("400, 60", 4), ("560, 84", 4), ("840, 1
 SERIES_STEPS = 6
 
 FSI3 = Case("fsi3", "prm/benchmarks/fsi3.prm")
+FSI3_FAST = Case("fsi3_fast", "prm/benchmarks/fsi3_fast.prm")
 FISH = Case("fish", "prm/fish.prm")
 EEL = Case("eel", "prm/eel.prm")
 FISH_PAPER = Case("fish_paper", "prm/fish_paper.prm")
@@ -76,6 +77,7 @@ def describe_machine(program_banner):
 def measure_cases(report, quick, folder):
     """FSI3, the fish and the eel, from rest or in the last part of their run."""
     plans = ((FSI3, 0.1, 0.05) if quick else (FSI3, 2.6, 0.5),
+             (FSI3_FAST, 0.1, 0.05) if quick else (FSI3_FAST, 2.6, 0.5),
              (FISH, 0.1, 0.05) if quick else (FISH, 1.6, 0.6),
              (EEL, 0.1, 0.05) if quick else (EEL, 4., 1.))
     rows, shares = [], {}

@@ -124,7 +124,7 @@ def make_ledger_section(run, report, reports):
     work = ledger[0][1][-1]
     listed = list(ledger)
     if "numerical dissipation [J/m]" in run.columns:
-        listed.insert(4, ("– of it by the stabilisations", run.get("numerical dissipation")))
+        listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
     rows = [(page.escape(name), page.format_number(values[-1]),
              page.format_number(100 * values[-1] / work if work else None, 3))
             for name, values in listed]

@@ -81,4 +81,4 @@ def make_beat_ledger(report):
                            "muscle work = ΔE<sub>kin</sub> + ΔE<sub>el</sub> + dissipation + "
                            "feedback − external work + residual, in each tail beat; external "
                            "work: through the sides and by the body force; numerical: the part of the "
-                           "dissipation by the stabilisations")
+                           "dissipation by stabilisations and time scheme")

@@ -37,7 +37,7 @@ namespace caudal
                         : nullptr);
     }
     body_impulses.resize(system.bodies.size());
-    update_ledger(0, 0);
+    update_ledger(0, 0, 0);
     initial_ledger = ledger;
   }
 
@@ -65,7 +65,7 @@ namespace caudal
   {
     TimerOutput::Scope timer_section(system.timer, "output");
     flow = summarise_flow(system.space, system.fluid.velocity);
-    update_ledger(stepper.get_time(), stepper.get_previous_step());
+    update_ledger(stepper.get_time(), stepper.get_previous_step(), result.damping);
     forces.update(stepper.get_time());
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(system.space.get_communicator(),
@@ -116,7 +116,7 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::update_ledger(const double time, const double step)
+  void RunOutput<dim>::update_ledger(const double time, const double step, const double damping)
   {
     ledger.kinetic_energy = flow.kinetic_energy;
     const double rate     = step > 0 ? (parameters.time.is_explicit() ? 1 : 1.5) / step : 0;
@@ -125,8 +125,8 @@ namespace caudal
         compute_stabilisation_dissipation(system.space, system.fluid.velocity, rate);
     const double dissipation = flow.viscous_dissipation + numerical;
     const double external    = compute_external_power(system.space, system.fluid, time);
-    ledger.dissipation += 0.5 * step * (last_dissipation + dissipation);
-    ledger.numerical_dissipation += 0.5 * step * (last_numerical_dissipation + numerical);
+    ledger.dissipation += 0.5 * step * (last_dissipation + dissipation) + damping;
+    ledger.numerical_dissipation += 0.5 * step * (last_numerical_dissipation + numerical) + damping;
     ledger.external_work += 0.5 * step * (last_external_power + external);
     last_dissipation           = dissipation;
     last_numerical_dissipation = numerical;

@@ -48,7 +48,9 @@ namespace caudal
           move_body(*body, weights);
           compute_middle_forces(*body, stepper);
         }
-        return this->check_trial_state(iterations, stepper.get_step(), predicted);
+        StepResult result = this->check_trial_state(iterations, stepper.get_step(), predicted);
+        result.damping    = compute_damping(stepper);
+        return result;
       }
 
     private:
@@ -74,6 +76,15 @@ namespace caudal
         history *= system.space.get_parameters().density;
         for (const FieldVector *field : {&transport, &new_velocity, &new_pressure, &history})
           field->update_ghost_values();
+      }
+
+      /** The transport velocity is the extrapolated one. Called when it is no more needed. */
+      double compute_damping(const TimeStepper &stepper)
+      {
+        const bool is_first = stepper.get_previous_step() == 0;
+        transport.sadd(-1, 1, new_velocity);
+        transport.update_ghost_values();
+        return (is_first ? 1 : 0.5) * compute_kinetic_energy(system.space, transport);
       }
 
       MomentumWeights assemble_momentum(const TimeWeights &weights, const double time,

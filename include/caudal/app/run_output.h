@@ -91,7 +91,7 @@ namespace caudal
     double                                   last_field_time            = -1;
 
     SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
-    void             update_ledger(double time, double step);
+    void             update_ledger(double time, double step, double damping);
     bool             fields_are_due(double time) const;
     void             report_swimming(double time, double step);
     void             write_statistics(const TimeStepper &stepper, const StepResult &result,

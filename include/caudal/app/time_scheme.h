@@ -28,6 +28,12 @@ namespace caudal
   {
     unsigned int            iterations = 0;
     TimeStepper::Indicators indicators;
+    /**
+     * What the scheme's own damping has taken from the fluid in the step [J/m in 2D]: with BDF2
+     * rho/4 |u^{n+1} - 2 u^n + u^{n-1}|^2, for equal steps (Hairer & Wanner 1996,
+     * doi:10.1007/978-3-642-05221-7, V.6: the G-norm of the method).
+     */
+    double damping = 0;
   };
 
   /**

@@ -16,8 +16,8 @@ namespace caudal
   {
     double kinetic_energy        = 0; // of the fluid and of the bodies' excess mass
     double elastic_energy        = 0;
-    double dissipation           = 0; // by viscosity and by the stabilisations
-    double numerical_dissipation = 0; // the part of the stabilisations in it
+    double dissipation           = 0; // by viscosity and numerically
+    double numerical_dissipation = 0; // of it: by stabilisations and by the time scheme
     double muscle_work           = 0; // done on the bodies
     double feedback_work         = 0; // of springs and dampers on the bodies
     double external_work         = 0; // compute_external_power()
