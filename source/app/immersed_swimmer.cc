@@ -1,5 +1,6 @@
 #include <caudal/app/immersed_swimmer.h>
 
+#include <caudal/app/body_distance.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
 
@@ -93,6 +94,7 @@ namespace caudal
                                    ". Place them apart."));
           }
       }
+    check_distances(bodies, 2 * parameters.domain.get_finest_spacing().norm() / std::sqrt(dim));
   }
 
   /** In an initial flow the bodies move with it. */
@@ -206,6 +208,10 @@ namespace caudal
         reason = "The linear solver did not converge (residual " +
                  std::to_string(exception.last_residual) +
                  "; Solver/Largest number of iterations).";
+      }
+      catch (const ExcBodiesMeet &)
+      {
+        throw; // smaller steps would bring them no less close
       }
       catch (const ExceptionBase &exception)
       {

@@ -1,3 +1,4 @@
+#include <caudal/app/body_distance.h>
 #include <caudal/app/time_scheme.h>
 
 #include <cmath>
@@ -89,6 +90,7 @@ namespace caudal
               std::max(result.indicators.error, std::abs(x - predicted[b][node[d]]) / h[d]);
         }
     }
+    check_distances(system.bodies, 2 * h.norm() / std::sqrt(dim));
     result.indicators.convective_cfl =
         summarise_flow(system.space, new_velocity).largest_rate * step;
     return result;
