@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from caudal_plots import style
+from caudal_plots import MissingData, style
 from caudal_plots.main import FIGURES
 from caudal_plots.results import Run
 
@@ -10,8 +10,8 @@ from . import common, files, movie, page, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
 
 SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
-RESIDUAL = ("The residual holds what the other parts do not: changes of the grid, and the time scheme's "
-            "own damping, which falls with the time step.")
+RESIDUAL = ("The residual holds what the other parts do not: changes of the grid, and what the time "
+            "scheme takes from the body, which falls with the time step.")
 GREY = "#8a949b"
 TIME = "time [s]"
 AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
@@ -164,7 +164,18 @@ def make_swim_section(reports):
     return content
 
 
-def describe(folder, n_frames, with_pictures):
+def make_school_section(reports, folder):
+    """What the fish gain over a lone one, whose run is in the folder."""
+    lone = [report for report in tables.read_swim(folder) if report["beats"]]
+    if len(lone) != 1:
+        raise MissingData(f"--lone {folder}: {len(lone)} fish with whole tail beats there. Give the "
+                          "folder of a run of one fish.")
+    return tables.make_school_table(reports, lone[0]) + page.make_note(
+        f"In brackets: gain over the lone fish of {page.escape(str(folder))}. Means of the steady "
+        "beats; without any, the last beat.")
+
+
+def describe(folder, n_frames, with_pictures, lone=None):
     """The page of a run; MissingData if what it can't do without is not there."""
     entries, log, run = files.read_parameters(folder), files.Log(folder), Run(folder)
     reports = tables.read_swim(folder)
@@ -177,6 +188,8 @@ def describe(folder, n_frames, with_pictures):
                        f"{common.make_state(log)}."
                        + (f" <b>{SPAN}</b>" if plane else ""))
     report.add("Swimming", make_swim_section(reports))
+    if lone:
+        report.add("Gain of the school", make_school_section(reports, lone))
     if n_frames > 0:
         report.add("The wake", common.place_movie(report,
                                                   lambda: movie.make_wake_movie(run, n_frames)))

@@ -21,6 +21,8 @@ def main(arguments):
                         help="largest number of pictures in the animation (100; 0: none)")
     parser.add_argument("--no-pictures", action="store_true",
                         help="leave out what scripts/plot draws: faster")
+    parser.add_argument("--lone", metavar="DIR", type=pathlib.Path,
+                        help="the run of a lone fish, over which the gain of a school is told")
     options = parser.parse_args(arguments)
     if options.frames < 0:
         parser.error("--frames: give 0 or more.")
@@ -31,8 +33,13 @@ def main(arguments):
     style.apply()
     output = options.output or options.folder / "report.html"
     try:
-        describe = salmon.describe if salmon.is_potential(options.folder) else fish.describe
-        report = describe(options.folder, options.frames, not options.no_pictures)
+        what = (options.folder, options.frames, not options.no_pictures)
+        if salmon.is_potential(options.folder):
+            if options.lone:
+                raise MissingData("--lone: there are no schools in an ideal fluid.")
+            report = salmon.describe(*what)
+        else:
+            report = fish.describe(*what, options.lone)
         text = page.render(report)
         temporary = output.with_name(output.name + ".tmp")
         temporary.write_text(text, encoding="utf-8")

@@ -9,6 +9,7 @@ from . import page
 # Of the quantities of swim.json, in this order.
 TILES = ("speed", "speed in lengths", "period", "amplitude", "Strouhal number", "Reynolds number",
          "power", "cost of transport")
+COMPARED = ("speed", "frequency", "amplitude", "Strouhal number", "power", "cost of transport")
 BEAT_COLUMNS = ("start", "period", "frequency", "amplitude", "speed", "speed in lengths",
                 "Strouhal number", "power", "peak power", "cost of transport", "thrust", "drag",
                 "change", "steady")
@@ -39,7 +40,7 @@ def make_heading(report, name):
 
 def make_swim_tiles(report):
     """The key figures: of the steady beats or, without any, of the last one."""
-    beat = report["mean of steady beats"] or report["beats"][-1]
+    beat = get_key_beat(report)
     return page.make_tiles([(name, page.format_number(beat[name]), get_unit(report, name))
                             for name in TILES])
 
@@ -59,6 +60,28 @@ def make_swim_table(report):
     means = [f"mean of the last {report['steady beats']} beats"] if steady else []
     header = ["quantity", "symbol", *means, "last beat", "unit", "definition"]
     return page.make_table(header, rows, left=(0, 1, len(header) - 2, len(header) - 1))
+
+
+def get_key_beat(report):
+    """The mean of the steady beats or, without any, the last beat."""
+    return report["mean of steady beats"] or report["beats"][-1]
+
+
+def make_school_table(reports, lone):
+    """Each fish beside the lone one: value, and gain over that."""
+    reports = [report for report in reports if report["beats"]]
+    alone = get_key_beat(lone)
+    rows = []
+    for name in COMPARED:
+        row = [page.escape(name), get_unit(lone, name).replace(" ", "&nbsp;"),
+               page.format_number(alone[name])]
+        for report in reports:
+            value = get_key_beat(report)[name]
+            change = f" ({100 * (value / alone[name] - 1):+.1f}&nbsp;%)" if alone[name] else ""
+            row.append(page.format_number(value) + change)
+        rows.append(row)
+    return page.make_table(["quantity", "unit", "alone"]
+                           + [page.escape(report["body"]) for report in reports], rows, left=(0, 1))
 
 
 def make_beat_table(report):

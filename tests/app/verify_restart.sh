@@ -36,7 +36,7 @@ end
 EOF
 
 cat >school.prm <<EOF
-include $CAUDAL_SOURCE_DIR/prm/school.prm
+include $CAUDAL_SOURCE_DIR/prm/school_tandem.prm
 subsection Time
   set Step = 0.004
 end

@@ -90,6 +90,18 @@ import json
 swim = json.load(open("eel/swim.json"))
 print("  swim.json:", len(swim["beats"]), "beats of", len(swim["quantities"]), "quantities")'
 
+# A lone eel of half the speed
+mkdir lone
+/usr/bin/python3 -c '
+import json
+swim = json.load(open("eel/swim.json"))
+for beat in [swim["mean of steady beats"] or {}, *swim["beats"]]:
+    beat["speed"] = 0.5 * beat.get("speed", 0)
+json.dump(swim, open("lone/swim.json", "w"))'
+"$CAUDAL_SOURCE_DIR/scripts/report" eel --lone lone --output school.html --no-pictures --frames 0 >printed
+grep -A 12 "Gain of the school" school.html | grep -o "(+100.0&nbsp;%)\|(+0.0&nbsp;%)" | sort | uniq -c | sed 's/^ */  gains: /'
+"$CAUDAL_SOURCE_DIR/scripts/report" eel --lone no 2>&1 >printed | sed 's/^/  /'
+
 # What a hand does: it reads values and zooms into the first chart, and plays the animation.
 cp eel.html hand.html
 cat >>hand.html <<'END'
