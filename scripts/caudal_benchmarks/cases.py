@@ -267,7 +267,7 @@ CASES = {case.name: case for case in (
          evaluate_rigid_flag(14.29, 1.119, (0.015, 0.03)), curves=FORCES),
     Case("cfd2", "rigid flag, Reynolds number 100", "10 min",
          evaluate_rigid_flag(136.7, 10.53, (0.015, 0.03)), curves=FORCES),
-    Case("cfd3", "rigid flag, Reynolds number 200", "40 min",
+    Case("cfd3", "rigid flag, Reynolds number 200", "60 min",
          evaluate_rigid_flag(439.45, -11.893, (0.015, 0.03, 0.01), (5.6183, 437.81), 4.3956),
          curves=FORCES),
     Case("csm1", "the flag without fluid, static", "5 s", evaluate_csm(-7.187, -66.10)),
