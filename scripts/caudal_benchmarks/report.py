@@ -46,16 +46,20 @@ def plot(path, case, runs, figures):
     """The curves of a case over time; mean and extremes of the references as lines."""
     style.apply()
     picture, axes = style.make_figure(len(case.curves), 1, 1.7 * len(case.curves), sharex=True)
+    any_reference = False
     for axis, column in zip(axes[:, 0], case.curves):
-        for run in runs:
-            axis.plot(run.time, run.get(column))
+        for number, run in enumerate(runs, 1):
+            axis.plot(run.time, run.get(column), label=f"run {number}")
         header = next(name for name in runs[0].columns if name.partition(" [")[0] == column)
         axis.set_ylabel(header.replace(": ", "\n", 1).replace(" of ", "\nof ", 1)
                         .replace(" by ", "\nby ", 1))
         limit_to_late_values(axis, runs, column)
-        draw_reference(axis, column, runs[0], figures)
+        any_reference |= draw_reference(axis, column, runs[0], figures)
+    if len(runs) > 1:
+        axes[0, 0].legend()
     axes[-1, 0].set_xlabel("time [s]")
-    axes[0, 0].set_title(f"{case.name}: {case.purpose}; dashed: mean and extremes of the reference")
+    axes[0, 0].set_title(f"{case.name}: {case.purpose}"
+                         + ("; dashed: mean and extremes of the reference" if any_reference else ""))
     picture.savefig(path)
     style.close(picture)
 
@@ -69,16 +73,17 @@ def limit_to_late_values(axis, runs, column):
 
 
 def draw_reference(axis, column, run, figures):
-    """Dashed lines from the figures whose label starts like the column's quantity."""
+    """Dashed lines from the figures whose label starts like the column's quantity, if any."""
     names = {"force x": "drag [N/m]", "force y": "lift [N/m]", "x of point 1": "ux [mm]",
              "y of point 1": "uy [mm]"}
     label = next((label for key, label in names.items() if key in column), None)
     known = {figure.name: figure.reference for figure in figures}
     mean = known.get(f"{label} mean")
     if mean is None:
-        return
+        return False
     amplitude = known.get(f"{label} amplitude") or 0.
     # Displacements are in mm from where the point was at the start.
     factor, offset = (1e-3, run.get(column)[0]) if label.startswith("u") else (1., 0.)
     for level in {mean, mean - amplitude, mean + amplitude}:
         axis.axhline(offset + factor * level, color="0.4", linestyle="--", linewidth=0.8)
+    return True
