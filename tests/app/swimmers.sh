@@ -127,6 +127,7 @@ caudal school.prm -D "Body left/Controller/Type=none"
 check "its controller bends it" "$steered < $(last "left: lateral position" results/statistics.txt) - 1e-5"
 
 # Fish that meet: at the start and, drawn together by the force of the table, on their way.
+rm -rf results
 for place in 0.78 0.95; do
   "$CAUDAL" school.prm -D "Body right/Shape/Position=1, $place" -D "Body right/Muscle/Force distribution=-10*s" \
     -D "Time/End time=0.2" 2>&1 >/dev/null | grep -o "Bodies left and right are .* m apart" | sed 's/[0-9.]\{4,\}/.../'
