@@ -46,8 +46,10 @@ namespace caudal
 
   template <int dim>
   void check_distances(const std::vector<std::unique_ptr<SwimmingBody<dim>>> &bodies,
-                       const double                                           cell_size)
+                       const CellLattice<dim>                                &lattice)
   {
+    const double cell_size =
+        lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
     for (unsigned int i = 0; i < bodies.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
       {
@@ -57,6 +59,8 @@ namespace caudal
       }
   }
 
-  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<2>>> &, double);
-  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<3>>> &, double);
+  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<2>>> &,
+                                const CellLattice<2> &);
+  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<3>>> &,
+                                const CellLattice<3> &);
 } // namespace caudal

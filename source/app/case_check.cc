@@ -85,7 +85,6 @@ namespace caudal
   CaseCheck<dim>::describe_body(const SwimmingBody<dim> &swimmer) const
   {
     const SolidBody<dim> &solid   = swimmer.solid;
-    const BodyExtent      extent  = compute_extent(solid.get_triangulation());
     const double          density = parameters.fluid.density + solid.get_excess_density();
     const double volume = solid.get_reference_volume() / solid.get_triangulation().n_active_cells();
 
@@ -93,8 +92,8 @@ namespace caudal
     body.path      = "Body " + swimmer.get_name();
     body.regions   = solid.get_parameters().regions;
     body.swims     = swimmer.swims() && swimmer.get_parameters().muscle.type != "fibres";
-    body.length    = extent.length;
-    body.thickness = extent.region_thickness;
+    body.length    = swimmer.get_length();
+    body.thickness = compute_extent(solid.get_triangulation()).region_thickness;
     body.spacing_ratio =
         std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree / cell_size;
     body.beat_frequency = get_beat_frequency(swimmer.get_parameters());

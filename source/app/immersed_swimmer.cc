@@ -94,7 +94,7 @@ namespace caudal
                                    ". Place them apart."));
           }
       }
-    check_distances(bodies, 2 * parameters.domain.get_finest_spacing().norm() / std::sqrt(dim));
+    check_distances(bodies, lattice);
   }
 
   /** In an initial flow the bodies move with it. */
@@ -114,7 +114,7 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::print_summary(std::ostream &out) const
+  void ImmersedSwimmer<dim>::print_summary(const CaseCheck<dim> &check, std::ostream &out) const
   {
     std::vector<unsigned int> cells_per_level(parameters.domain.levels, 0);
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -132,10 +132,9 @@ namespace caudal
       const SolidBody<dim> &solid = body->solid;
       out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
           << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
-          << (dim == 2 ? " m^2" : " m^3") << ", length "
-          << compute_extent(solid.get_triangulation()).length << " m\n";
+          << (dim == 2 ? " m^2" : " m^3") << ", length " << body->get_length() << " m\n";
     }
-    for (const std::string &doubt : CaseCheck<dim>(parameters, system).find_doubts())
+    for (const std::string &doubt : check.find_doubts())
       out << "Warning: " << doubt << '\n';
   }
 
@@ -143,7 +142,7 @@ namespace caudal
   void ImmersedSwimmer<dim>::check(std::ostream &out, const bool fast)
   {
     const CaseCheck<dim> check(parameters, system);
-    print_summary(out);
+    print_summary(check, out);
     check.print_resolution(out);
     check.print_costs(out, fast ? TrialCost() : try_steps(4));
     const std::size_t n_doubts = check.find_doubts().size();
@@ -291,7 +290,7 @@ namespace caudal
   Outcome ImmersedSwimmer<dim>::run(const OutputFolder &folder, Log &log,
                                     const std::function<bool()> &stop_requested)
   {
-    print_summary(log.get_stream());
+    print_summary(CaseCheck<dim>(parameters, system), log.get_stream());
     log << std::endl;
     TimeStepper    stepper(parameters.time);
     RunOutput<dim> output(

@@ -90,7 +90,7 @@ namespace caudal
               std::max(result.indicators.error, std::abs(x - predicted[b][node[d]]) / h[d]);
         }
     }
-    check_distances(system.bodies, 2 * h.norm() / std::sqrt(dim));
+    check_distances(system.bodies, system.lattice);
     result.indicators.convective_cfl =
         summarise_flow(system.space, new_velocity).largest_rate * step;
     return result;

@@ -10,12 +10,12 @@ namespace caudal
 
   /**
    * Throws ExcBodiesMeet if two bodies are closer, at their new positions, than a cell of the
-   * fluid's finest level, @p cell_size [m], or the width of a kernel: grid and kernel then do not
+   * finest level of the fluid's @p lattice or the width of a kernel: grid and kernel then do not
    * resolve the fluid between them, and nothing keeps them from running into each other.
    */
   template <int dim>
   void check_distances(const std::vector<std::unique_ptr<SwimmingBody<dim>>> &bodies,
-                       double                                                 cell_size);
+                       const CellLattice<dim>                                &lattice);
 } // namespace caudal
 
 #endif

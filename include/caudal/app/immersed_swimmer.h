@@ -21,9 +21,6 @@ namespace caudal
     /** Sets up grids, fields and bodies at t = 0. */
     ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator);
 
-    /** Cells, unknowns and sizes, with warnings about what is likely to go wrong. */
-    void print_summary(std::ostream &out) const;
-
     /** Resolution, costs, doubts: what the case is like. A fast check makes no trial steps. */
     void check(std::ostream &out, bool fast);
 
@@ -57,6 +54,8 @@ namespace caudal
     ParameterValues                                 parameter_values;
     std::optional<RunState>                         resumed;
 
+    /** Cells, unknowns and sizes, with warnings about what is likely to go wrong. */
+    void print_summary(const CaseCheck<dim> &check, std::ostream &out) const;
     /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
     void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;
     unsigned int     get_memory() const; // the most so far [MiB], on all ranks
