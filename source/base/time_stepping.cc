@@ -96,10 +96,14 @@ namespace caudal
     n_retries = 0;
     if (parameters.adaptive)
     {
-      // The error of a prediction of second order grows with step^2.
-      const double growth = std::min({1 / std::max(indicators.body_cfl, 1e-10),
-                                      1 / std::max(indicators.convective_cfl, 1e-10),
-                                      1 / std::sqrt(std::max(indicators.error, 1e-10))});
+      // Predicted and computed positions differ by a term of third order in the step.
+      const auto get_growth = [](const double limit, const double value, const double order) {
+        return std::pow(limit / std::max(value, 1e-10 * limit), 1 / order);
+      };
+      const double growth =
+          std::min({get_growth(parameters.body_cfl, indicators.body_cfl, 1),
+                    get_growth(parameters.convective_cfl, indicators.convective_cfl, 1),
+                    get_growth(parameters.error_tolerance, indicators.error, 3)});
       regular_step =
           std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
     }

@@ -72,7 +72,7 @@ namespace caudal
     /** Weights of the coming step (BDF1 in the first, then BDF2). */
     TimeWeights get_weights() const;
 
-    /** What decides the next step's size; each is relative to its limit, 1 = at the limit. */
+    /** What decides the next step's size. */
     struct Indicators
     {
       /** Largest displacement of a body point in the step, in fluid spacings. */
