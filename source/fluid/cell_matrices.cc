@@ -105,20 +105,38 @@ namespace caudal
   }
 
   template <int dim>
+  typename CellMatrices<dim>::NodalVectors
+  CellMatrices<dim>::get_nodal_vectors(const Vector<double> &dof_values) const
+  {
+    NodalVectors vectors;
+    for (unsigned int i = 0; i < dof_values.size(); ++i)
+    {
+      const auto [component, scalar] = velocity_element.system_to_component_index(i);
+      vectors[scalar][component]     = dof_values[i];
+    }
+    return vectors;
+  }
+
+  template <int dim>
+  double CellMatrices<dim>::compute_stabilisation_weight(const NodalVectors &transport,
+                                                         const double        density,
+                                                         const double        stabilisation,
+                                                         const double        rate) const
+  {
+    double largest_speed = 0;
+    for (const Tensor<1, dim> &w : transport)
+      largest_speed = std::max(largest_speed, w.norm());
+    const double h = cell_size.norm() / std::sqrt(dim);
+    return density * stabilisation / std::max({largest_speed / h, rate, 1e-300});
+  }
+
+  template <int dim>
   void CellMatrices<dim>::get_convection_matrix(const Vector<double> &transport,
                                                 const double density, const double stabilisation,
                                                 const double rate, FullMatrix<double> &matrix) const
   {
     const unsigned int n_s = values.n(), n_q = values.m();
-    Tensor<1, dim>     nodal_transport[27];
-    double             largest_speed = 0;
-    for (unsigned int i = 0; i < transport.size(); ++i)
-    {
-      const auto [component, scalar]     = velocity_element.system_to_component_index(i);
-      nodal_transport[scalar][component] = transport[i];
-    }
-    for (unsigned int i = 0; i < n_s; ++i)
-      largest_speed = std::max(largest_speed, nodal_transport[i].norm());
+    const NodalVectors nodal_transport = get_nodal_vectors(transport);
 
     // Streamline derivatives of the shape functions and their linear moments.
     double derivatives[64][27], moments[dim + 1][27] = {};
@@ -135,8 +153,7 @@ namespace caudal
       }
     }
 
-    const double h   = cell_size.norm() / std::sqrt(dim);
-    const double tau = density * stabilisation / std::max({largest_speed / h, rate, 1e-300});
+    const double tau = compute_stabilisation_weight(nodal_transport, density, stabilisation, rate);
     matrix           = 0;
     for (unsigned int q = 0; q < n_q; ++q)
     {
@@ -151,6 +168,33 @@ namespace caudal
       for (unsigned int i = 0; i < n_s; ++i)
         for (unsigned int j = 0; j < n_s; ++j)
           matrix(i, j) -= tau * moments[k][i] * moments[k][j];
+  }
+
+  template <int dim>
+  double CellMatrices<dim>::compute_stabilisation_dissipation(const Vector<double> &velocity,
+                                                              const double          density,
+                                                              const double          stabilisation,
+                                                              const double          rate) const
+  {
+    const unsigned int n_s = values.n(), n_q = values.m();
+    const NodalVectors u       = get_nodal_vectors(velocity);
+    double             squares = 0;
+    Tensor<1, dim>     moments[dim + 1];
+    for (unsigned int q = 0; q < n_q; ++q)
+    {
+      Tensor<1, dim> w, derivative; // u and u.grad u at the point
+      for (unsigned int i = 0; i < n_s; ++i)
+        w += values(q, i) * u[i];
+      for (unsigned int i = 0; i < n_s; ++i)
+        derivative += (w * gradients[q][i]) * u[i];
+      squares += point_weight[q] * derivative.norm_square();
+      for (unsigned int k = 0; k <= dim; ++k)
+        moments[k] += point_weight[q] * linear_values(q, k) * derivative;
+    }
+    // What is left without the linear part: |k(.)|^2.
+    for (const Tensor<1, dim> &moment : moments)
+      squares -= moment.norm_square();
+    return compute_stabilisation_weight(u, density, stabilisation, rate) * squares;
   }
 
   template class CellMatrices<2>;

@@ -167,28 +167,18 @@ namespace caudal
   double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
                                            const FieldVector &velocity, const double rate)
   {
-    const FESystem<dim> &element    = space.velocity_element;
-    const auto          &parameters = space.get_parameters();
-    const unsigned int   n = element.n_dofs_per_cell(), n_s = n / dim;
-    Vector<double>       values(n), scalar(n_s), product(n_s);
-    FullMatrix<double>   convection(n_s, n_s);
-    double               dissipation = 0;
+    const auto    &parameters = space.get_parameters();
+    Vector<double> values(space.velocity_element.n_dofs_per_cell());
+    double         dissipation = 0;
     if (parameters.convection_stabilisation > 0)
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
           cell->get_dof_values(velocity, values);
-          // The rest of this matrix is skew-symmetric.
-          space.get_cell_matrices(cell->level())
-              .get_convection_matrix(values, parameters.density,
-                                     parameters.convection_stabilisation, rate, convection);
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            for (unsigned int s = 0; s < n_s; ++s)
-              scalar[s] = values[element.component_to_system_index(d, s)];
-            convection.vmult(product, scalar);
-            dissipation += scalar * product;
-          }
+          dissipation +=
+              space.get_cell_matrices(cell->level())
+                  .compute_stabilisation_dissipation(values, parameters.density,
+                                                     parameters.convection_stabilisation, rate);
         }
     return Utilities::MPI::sum(dissipation, space.get_communicator());
   }

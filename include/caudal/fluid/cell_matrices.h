@@ -8,6 +8,8 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
+
 namespace caudal
 {
   /** Weights of the constant terms of the momentum operator. */
@@ -55,6 +57,13 @@ namespace caudal
     void get_convection_matrix(const Vector<double> &transport, double density,
                                double stabilisation, double rate, FullMatrix<double> &matrix) const;
 
+    /**
+     * What the local projection stabilisation dissipates in the cell, tau |k(u.grad u)|^2 [W, in
+     * 2D W/m]: that of get_convection_matrix() with u for w. @p velocity: the nodal values of u.
+     */
+    double compute_stabilisation_dissipation(const Vector<double> &velocity, double density,
+                                             double stabilisation, double rate) const;
+
     const FullMatrix<double> &get_mass() const
     {
       return mass;
@@ -93,6 +102,14 @@ namespace caudal
     std::vector<std::vector<Tensor<1, dim>>> gradients; // [point][scalar shape function]
     FullMatrix<double> linear_values; // orthonormal linear functions (point, function)
     double             point_weight[64] = {};
+
+    /** The nodal values as vectors, one for each scalar shape function. */
+    using NodalVectors = std::array<Tensor<1, dim>, 27>;
+    NodalVectors get_nodal_vectors(const Vector<double> &dof_values) const;
+
+    /** tau, see get_convection_matrix() [kg s/m^3]. */
+    double compute_stabilisation_weight(const NodalVectors &transport, double density,
+                                        double stabilisation, double rate) const;
   };
 } // namespace caudal
 
