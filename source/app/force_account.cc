@@ -1,34 +1,9 @@
 #include <caudal/app/force_account.h>
-#include <caudal/fluid/control_volume.h>
+
+#include <limits>
 
 namespace caudal
 {
-  template <int dim>
-  void BackwardDifference<dim>::add(const double time, const Tensor<1, dim> &value)
-  {
-    samples.emplace_back(time, value);
-    if (samples.size() > 3)
-      samples.pop_front();
-  }
-
-  template <int dim>
-  Tensor<1, dim> BackwardDifference<dim>::get_derivative() const
-  {
-    const unsigned int n = samples.size();
-    if (n < 2)
-      return Tensor<1, dim>();
-    const auto slope = [this](const unsigned int i) {
-      return (samples[i].second - samples[i - 1].second) /
-             (samples[i].first - samples[i - 1].first);
-    };
-    if (n == 2)
-      return slope(1);
-    // The derivative at its last point of the parabola through the three samples.
-    const double step  = samples[2].first - samples[1].first;
-    const double range = samples[2].first - samples[0].first;
-    return slope(2) + step / range * (slope(2) - slope(1));
-  }
-
   namespace
   {
     /** The sum of a vector's entries over the nodes, weighted. */
@@ -72,14 +47,13 @@ namespace caudal
   {
     const auto &corners = system.space.get_parameters().control_volume;
     if (!corners.empty())
-      control_volume.emplace(std::make_pair(corners[0], corners[1]));
+      control_volume.emplace(system, BoundingBox<dim>({corners[0], corners[1]}));
   }
 
   template <int dim>
   void ForceAccount<dim>::update(const double time)
   {
-    const double   density = system.space.get_parameters().density;
-    Tensor<1, dim> inertia;
+    const double density = system.space.get_parameters().density;
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
     {
       const SwimmingBody<dim> &body  = *system.bodies[b];
@@ -87,19 +61,29 @@ namespace caudal
       const auto              &size  = solid.get_nodal_volumes();
       body_momenta[b].add(time, density * sum_over_nodes(solid, solid.velocity, &size));
       const Tensor<1, dim> change = body_momenta[b].get_derivative();
-      inertia += change;
-      resultants[b]  = sum_over_nodes(solid, solid.force_density, &size);
-      body_forces[b] = change - resultants[b];
+      resultants[b]               = sum_over_nodes(solid, solid.force_density, &size);
+      body_forces[b]              = change - resultants[b];
       feedback_forces[b] =
           change -
           sum_over_nodes(solid, body.compute_feedback_force(solid.positions, solid.velocity));
     }
-    if (!control_volume)
-      return;
-    const MomentumBalance<dim> balance =
-        compute_momentum_balance(system.space, system.fluid, *control_volume, time);
-    flow_momentum.add(time, balance.momentum);
-    control_volume_force = inertia + balance.force - flow_momentum.get_derivative();
+    if (control_volume)
+      control_volume->update(time);
+  }
+
+  template <int dim>
+  void ForceAccount<dim>::adapt(const double time)
+  {
+    if (control_volume)
+      control_volume->adapt(time);
+  }
+
+  template <int dim>
+  Tensor<1, dim> ForceAccount<dim>::get_control_volume_impulse() const
+  {
+    Tensor<1, dim> unknown;
+    unknown[0] = std::numeric_limits<double>::quiet_NaN();
+    return control_volume ? control_volume->get_impulse() : unknown;
   }
 
   template <int dim>
@@ -115,11 +99,9 @@ namespace caudal
   void ForceAccount<dim>::set_control_volume_statistics(Statistics &statistics) const
   {
     if (control_volume)
-      set_vector(statistics, "force", "by control volume", control_volume_force);
+      set_vector(statistics, "force", "by control volume", control_volume->get_force());
   }
 
-  template class BackwardDifference<2>;
-  template class BackwardDifference<3>;
   template class ForceAccount<2>;
   template class ForceAccount<3>;
 } // namespace caudal

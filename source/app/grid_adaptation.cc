@@ -42,12 +42,12 @@ namespace caudal
   }
 
   template <int dim>
-  bool GridAdaptation<dim>::set_flags(const CellSet<dim> &body_cells) const
+  bool GridAdaptation<dim>::set_flags(const CellSet<dim> &body_cells, const double time) const
   {
     const Vector<float> indicator = parameters.vorticity_threshold > 0
                                         ? compute_vorticity_indicator(space, system.fluid.velocity)
                                         : Vector<float>();
-    flag_cells(triangulation, system.lattice, body_cells, indicator, parameters);
+    flag_cells(triangulation, system.lattice, body_cells, indicator, parameters, time);
     triangulation.prepare_coarsening_and_refinement();
     int changes = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -66,7 +66,7 @@ namespace caudal
       space.set_boundary_values(0);
       system.fluid.reinit(space);
       set_initial_velocity(space, system.fluid);
-      if (pass > system.lattice.get_finest_level() || !set_flags(body_cells))
+      if (pass > system.lattice.get_finest_level() || !set_flags(body_cells, 0))
         break;
       triangulation.execute_coarsening_and_refinement();
     }
@@ -150,7 +150,7 @@ namespace caudal
       // A pass refines by one level; a body may have come to where two are missing.
       for (unsigned int pass = 0; pass <= system.lattice.get_finest_level(); ++pass)
       {
-        if ((pass > 0 && body_cells.is_covered_by(triangulation)) || !set_flags(body_cells))
+        if ((pass > 0 && body_cells.is_covered_by(triangulation)) || !set_flags(body_cells, time))
           break;
         transfer(time);
         report.changed = true;

@@ -176,13 +176,16 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::adapt_grid(const TimeStepper &stepper, Log &log)
+  void ImmersedSwimmer<dim>::adapt_grid(const TimeStepper &stepper, RunOutput<dim> &output,
+                                        Log &log)
   {
     const bool is_due = stepper.get_step_number() > 0 &&
                         stepper.get_step_number() % parameters.refinement.interval == 0;
     if (!is_due && !adaptation.is_needed())
       return;
     const AdaptationReport report = adaptation.adapt(stepper.get_time(), stepper.get_step());
+    if (report.changed)
+      output.report_new_grid(stepper.get_time());
     if (report.changed && !(std::abs(report.momentum_change) < 1e-3))
       log << "Warning: adapting the grid at t = " << stepper.get_time()
           << " s changed the momentum by " << report.momentum_change
@@ -266,7 +269,7 @@ namespace caudal
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
     while (!stepper.is_at_end() && !stop_requested() && !is_out_of_time())
     {
-      adapt_grid(stepper, log);
+      adapt_grid(stepper, output, log);
       const StepResult result = advance(stepper, log);
       scheme->accept(stepper.get_step());
       stepper.accept(result.indicators);

@@ -52,7 +52,10 @@ namespace caudal
     swimmer.viscosity     = parameters.fluid.kinematic_viscosity;
     swimmer.fluid_density = parameters.fluid.density;
     swimmer.is_per_span   = dim == 2;
-    swimmer.wetted_area   = 0;
+    // The control volume gives the force on all bodies together.
+    swimmer.has_control_volume =
+        !parameters.fluid.control_volume.empty() && system.bodies.size() == 1;
+    swimmer.wetted_area = 0;
     for (const auto &face : body.solid.get_triangulation().active_face_iterators())
       if (face->at_boundary())
         swimmer.wetted_area += face->measure();
@@ -75,6 +78,13 @@ namespace caudal
       write_statistics(stepper, result, n_cells);
     if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
       write_fields(stepper.get_time());
+  }
+
+  template <int dim>
+  void RunOutput<dim>::report_new_grid(const double time)
+  {
+    TimerOutput::Scope timer_section(system.timer, "output");
+    forces.adapt(time);
   }
 
   template <int dim>
@@ -109,8 +119,9 @@ namespace caudal
         sample.forward_momentum =
             (parameters.fluid.density + solid.get_excess_density()) * volume * speed;
         // The body force includes the inertia of the excess mass.
-        sample.body_impulse = body_impulses[b] + solid.get_excess_density() * volume * speed;
-        sample.ledger       = ledger;
+        sample.body_impulse  = body_impulses[b] + solid.get_excess_density() * volume * speed;
+        sample.fluid_impulse = forces.get_control_volume_impulse() * forward;
+        sample.ledger        = ledger;
         swim_reports[b]->add(sample);
       }
   }

@@ -95,6 +95,22 @@ namespace caudal
         throw std::runtime_error("its state is damaged (the checksums differ)");
       return data;
     }
+
+    /** Whether a run can be resumed from the folder. */
+    bool has_whole_slot(const fs::path &folder)
+    {
+      try
+      {
+        for (const fs::path &slot : find_slots(folder))
+          if (catch_error([&]() { read_slot(slot); }).empty())
+            return true;
+      }
+      catch (const fs::filesystem_error &)
+      {
+        // It can't be read: there is none.
+      }
+      return false;
+    }
   } // namespace
 
   void CheckpointParameters::add_parameters(ParameterHandler &prm)
@@ -184,9 +200,12 @@ namespace caudal
       AssertThrow(reason.empty(),
                   ExcMessage("The checkpoint of step " + std::to_string(step) +
                              " can't be written to <" + folder + ">: " + reason +
-                             ". An earlier checkpoint there is still whole. Make room or give "
-                             "access, then go on by caudal --resume " +
-                             results + "."));
+                             (has_whole_slot(folder)
+                                  ? ". An earlier checkpoint there is still whole. Make room or "
+                                    "give access, then go on by caudal --resume " +
+                                        results + "."
+                                  : ". There is no whole checkpoint left there. Make room or give "
+                                    "access, then start the run anew.")));
     });
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <iterator>
 #include <sstream>
@@ -120,6 +121,12 @@ namespace caudal
     if (file.is_open())
     {
       file << std::endl;
+      // A file that was removed still takes rows, which nobody will see.
+      AssertThrow(std::filesystem::exists(file_name),
+                  ExcMessage("The statistics file <" + file_name +
+                             "> is gone: it was removed, or its folder, while the run wrote to "
+                             "it. Go on by caudal --resume if a checkpoint is left, or start the "
+                             "run anew."));
       AssertThrow(file, ExcMessage("The statistics file <" + file_name +
                                    "> can't be written any more. Is the disk full?"));
     }

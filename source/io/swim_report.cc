@@ -105,7 +105,7 @@ namespace caudal
         compute_beat(swimmer, samples, *cycle, beats.empty() ? 0. : beats.back().speed));
     if (beats.size() == 1)
       write_screen_header(log, swimmer);
-    write_screen_row(log, beats.size(), beats.back());
+    write_screen_row(log, swimmer, beats.size(), beats.back());
     write_files();
 
     const auto still_needed = std::find_if(

@@ -18,6 +18,9 @@ namespace caudal
       double (*get)(const TailBeat &);
     };
 
+    /** What there is with a control volume only. */
+    const char *const fluid_force = "force by control volume";
+
     const Quantity quantities[] = {
         {"start", "start", "s", false, "the tail rises through its mean", 4, true,
          [](const TailBeat &b) { return b.start; }},
@@ -52,6 +55,10 @@ namespace caudal
         {"body force", "Fbody", "N", true,
          "mean forward force of muscle and springs from outside; the fluid's is dmv/dt - Fbody", 4,
          false, [](const TailBeat &b) { return b.body_force; }},
+        {fluid_force, "Fvol", "N", true,
+         "mean forward force of the fluid once more, by the momentum balance of Fluid/Control "
+         "volume; dmv/dt - Fbody is to be the same",
+         4, true, [](const TailBeat &b) { return b.fluid_force; }},
         {"thrust", "thrust", "N", true,
          "mean of the positive part of the fluid's forward force d(mv)/dt - Fbody of the steps, as "
          "Borazjani & Sotiropoulos 2008 (doi:10.1242/jeb.015644) do for pressure and friction",
@@ -94,6 +101,17 @@ namespace caudal
         {"steady", "steady", "", false, "1: this change is less than 2 %", 0, true,
          [](const TailBeat &b) { return b.is_steady ? 1. : 0.; }}};
 
+    /** The quantities that are known for the swimmer. */
+    std::vector<Quantity> get_quantities(const SwimmerConstants &swimmer, const bool is_screen)
+    {
+      std::vector<Quantity> known;
+      for (const Quantity &quantity : quantities)
+        if ((quantity.is_on_screen || !is_screen) &&
+            (quantity.name != fluid_force || swimmer.has_control_volume))
+          known.push_back(quantity);
+      return known;
+    }
+
     std::string get_unit(const Quantity &quantity, const SwimmerConstants &swimmer)
     {
       const std::string unit = quantity.unit;
@@ -114,25 +132,22 @@ namespace caudal
       if (swimmer.is_per_span)
         out << "; forces, energies and masses are those of one metre of span";
       out << "\n#\n";
-      for (const Quantity &quantity : quantities)
-        if (!is_screen || quantity.is_on_screen)
-          out << "# " << std::left << std::setw(width + 1) << get_title(quantity, swimmer)
-              << std::right << quantity.definition << '\n';
+      for (const Quantity &quantity : get_quantities(swimmer, is_screen))
+        out << "# " << std::left << std::setw(width + 1) << get_title(quantity, swimmer)
+            << std::right << quantity.definition << '\n';
       out << "#\n#beat";
-      for (const Quantity &quantity : quantities)
-        if (!is_screen || quantity.is_on_screen)
-          out << ' ' << std::setw(width - 1) << get_title(quantity, swimmer);
+      for (const Quantity &quantity : get_quantities(swimmer, is_screen))
+        out << ' ' << std::setw(width - 1) << get_title(quantity, swimmer);
       out << '\n';
     }
 
-    void write_row(std::ostream &out, const std::size_t number, const TailBeat &beat,
-                   const bool is_screen)
+    void write_row(std::ostream &out, const SwimmerConstants &swimmer, const std::size_t number,
+                   const TailBeat &beat, const bool is_screen)
     {
       out << std::setw(5) << number << std::fixed;
-      for (const Quantity &quantity : quantities)
-        if (!is_screen || quantity.is_on_screen)
-          out << ' ' << std::setw(width - 1) << std::setprecision(quantity.precision)
-              << quantity.get(beat);
+      for (const Quantity &quantity : get_quantities(swimmer, is_screen))
+        out << ' ' << std::setw(width - 1) << std::setprecision(quantity.precision)
+            << quantity.get(beat);
       out << std::defaultfloat << std::setprecision(6) << '\n';
     }
 
@@ -155,10 +170,10 @@ namespace caudal
       return text.str();
     }
 
-    void write_json_beat(std::ostream &out, const TailBeat &beat)
+    void write_json_beat(std::ostream &out, const SwimmerConstants &swimmer, const TailBeat &beat)
     {
       const char *separator = "{";
-      for (const Quantity &quantity : quantities)
+      for (const Quantity &quantity : get_quantities(swimmer, false))
       {
         out << separator << quote(quantity.name) << ": "
             << (std::string(quantity.name) == "steady" ? (beat.is_steady ? "true" : "false")
@@ -195,9 +210,10 @@ namespace caudal
     write_header(out, swimmer, true);
   }
 
-  void write_screen_row(std::ostream &out, const std::size_t number, const TailBeat &beat)
+  void write_screen_row(std::ostream &out, const SwimmerConstants &swimmer,
+                        const std::size_t number, const TailBeat &beat)
   {
-    write_row(out, number, beat, true);
+    write_row(out, swimmer, number, beat, true);
     out << std::flush;
   }
 
@@ -207,7 +223,7 @@ namespace caudal
     out << swimmer.name << ": mean of the last " << n_beats << " of " << n_all << " tail beats, "
         << (mean.is_steady ? "which are steady" : "not steady");
     out << (swimmer.is_per_span ? "; per metre of span\n" : "\n");
-    for (const Quantity &quantity : quantities)
+    for (const Quantity &quantity : get_quantities(swimmer, false))
       if (std::string(quantity.name) != "start" && std::string(quantity.name) != "steady")
         out << "  " << std::left << std::setw(28) << quantity.name << std::right << std::setw(14)
             << std::fixed << std::setprecision(quantity.precision) << quantity.get(mean) << ' '
@@ -220,7 +236,7 @@ namespace caudal
   {
     write_header(out, swimmer, false);
     for (std::size_t i = 0; i < beats.size(); ++i)
-      write_row(out, i + 1, beats[i], false);
+      write_row(out, swimmer, i + 1, beats[i], false);
   }
 
   void write_swim_json(std::ostream &out, const SwimmerConstants &swimmer,
@@ -231,7 +247,7 @@ namespace caudal
     write_json_constants(out, swimmer);
     out << "  \"quantities\": {";
     const char *separator = "\n    ";
-    for (const Quantity &quantity : quantities)
+    for (const Quantity &quantity : get_quantities(swimmer, false))
     {
       out << separator << quote(quantity.name) << ": {\"symbol\": " << quote(quantity.symbol)
           << ", \"unit\": " << quote(get_unit(quantity, swimmer))
@@ -243,13 +259,13 @@ namespace caudal
     for (const TailBeat &beat : beats)
     {
       out << separator;
-      write_json_beat(out, beat);
+      write_json_beat(out, swimmer, beat);
       separator = ",\n    ";
     }
     out << (beats.empty() ? "],\n" : "\n  ],\n") << "  \"steady beats\": " << n_steady
         << ",\n  \"mean of steady beats\": ";
     if (n_steady > 0)
-      write_json_beat(out, compute_mean(swimmer, {beats.end() - n_steady, beats.end()}));
+      write_json_beat(out, swimmer, compute_mean(swimmer, {beats.end() - n_steady, beats.end()}));
     else
       out << "null";
     out << "\n}\n";

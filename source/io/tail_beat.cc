@@ -32,6 +32,7 @@ namespace caudal
         result.muscle_work      = mix(a.muscle_work, b.muscle_work);
         result.forward_momentum = mix(a.forward_momentum, b.forward_momentum);
         result.body_impulse     = mix(a.body_impulse, b.body_impulse);
+        result.fluid_impulse    = mix(a.fluid_impulse, b.fluid_impulse);
         for (const auto member : {&EnergyLedger::kinetic_energy, &EnergyLedger::elastic_energy,
                                   &EnergyLedger::dissipation, &EnergyLedger::numerical_dissipation,
                                   &EnergyLedger::muscle_work, &EnergyLedger::feedback_work,
@@ -55,6 +56,7 @@ namespace caudal
       const SwimSample &first = samples.front(), &last = samples.back();
       beat.momentum_rate = (last.forward_momentum - first.forward_momentum) / beat.period;
       beat.body_force    = (last.body_impulse - first.body_impulse) / beat.period;
+      beat.fluid_force   = (last.fluid_impulse - first.fluid_impulse) / beat.period;
       for (std::size_t i = 1; i < samples.size(); ++i)
       {
         const SwimSample &a = samples[i - 1], &b = samples[i];
@@ -131,10 +133,10 @@ namespace caudal
     TailBeat mean;
     for (const auto member :
          {&TailBeat::period, &TailBeat::amplitude, &TailBeat::speed, &TailBeat::power,
-          &TailBeat::momentum_rate, &TailBeat::body_force, &TailBeat::thrust, &TailBeat::drag,
-          &TailBeat::muscle_work, &TailBeat::kinetic_energy, &TailBeat::elastic_energy,
-          &TailBeat::dissipation, &TailBeat::numerical_dissipation, &TailBeat::feedback,
-          &TailBeat::external_work, &TailBeat::residual})
+          &TailBeat::momentum_rate, &TailBeat::body_force, &TailBeat::fluid_force,
+          &TailBeat::thrust, &TailBeat::drag, &TailBeat::muscle_work, &TailBeat::kinetic_energy,
+          &TailBeat::elastic_energy, &TailBeat::dissipation, &TailBeat::numerical_dissipation,
+          &TailBeat::feedback, &TailBeat::external_work, &TailBeat::residual})
       for (const TailBeat &beat : beats)
         mean.*member += beat.*member / beats.size();
     mean.peak_power =

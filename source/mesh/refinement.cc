@@ -26,7 +26,8 @@ namespace caudal
         "more, the calmest are coarsened [1].");
     prm.add_parameter(
         "Level expression", level_expression,
-        "Function of x, y (and z): the level, from 0, that the grid has there at least [1].");
+        "Function of x, y (z) and t: the level, from 0, that the grid has there at least [1]. The "
+        "grid follows its course in time t [s] by a level at each adaptation.");
     prm.leave_subsection();
   }
 
@@ -81,7 +82,8 @@ namespace caudal
 
       AdaptationCriteria(const parallel::distributed::Triangulation<dim> &triangulation,
                          const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
-                         const Vector<float> &indicator, const RefinementParameters &parameters)
+                         const Vector<float> &indicator, const RefinementParameters &parameters,
+                         const double time)
           : body_cells(body_cells)
           , indicator(indicator)
           , parameters(parameters)
@@ -92,7 +94,7 @@ namespace caudal
           , uses_vorticity(parameters.vorticity_threshold > 0 && indicator.size() > 0)
           , wanted_levels(triangulation.n_active_cells())
       {
-        set_wanted_levels(triangulation);
+        set_wanted_levels(triangulation, time);
         if (uses_vorticity)
           set_thresholds(triangulation);
       }
@@ -121,10 +123,12 @@ namespace caudal
       std::vector<double>         wanted_levels; // of the owned active cells
       double                      refinement_threshold = 0, coarsening_threshold = 0;
 
-      void set_wanted_levels(const parallel::distributed::Triangulation<dim> &triangulation)
+      void set_wanted_levels(const parallel::distributed::Triangulation<dim> &triangulation,
+                             const double                                     time)
       {
         const std::string path    = "Refinement/Level expression";
         const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
+        level_function->set_time(time);
         run_on_all(triangulation.get_communicator(), [&]() {
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned())
@@ -183,10 +187,11 @@ namespace caudal
   template <int dim>
   bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
                   const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
-                  const Vector<float> &indicator, const RefinementParameters &parameters)
+                  const Vector<float> &indicator, const RefinementParameters &parameters,
+                  const double time)
   {
     const AdaptationCriteria<dim> criteria(triangulation, lattice, body_cells, indicator,
-                                           parameters);
+                                           parameters, time);
     bool                          any_flag = false;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -203,7 +208,9 @@ namespace caudal
   }
 
   template bool flag_cells(parallel::distributed::Triangulation<2> &, const CellLattice<2> &,
-                           const CellSet<2> &, const Vector<float> &, const RefinementParameters &);
+                           const CellSet<2> &, const Vector<float> &, const RefinementParameters &,
+                           double);
   template bool flag_cells(parallel::distributed::Triangulation<3> &, const CellLattice<3> &,
-                           const CellSet<3> &, const Vector<float> &, const RefinementParameters &);
+                           const CellSet<3> &, const Vector<float> &, const RefinementParameters &,
+                           double);
 } // namespace caudal

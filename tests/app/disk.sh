@@ -43,10 +43,14 @@ say() {
 # start OPTIONS: starts the run and waits for its second checkpoint.
 start() {
   rm -rf results
-  "$CAUDAL" disc.prm "$@" >printed 2>errors &
+  $without_override "$CAUDAL" disc.prm "$@" >printed 2>errors &
   run=$!
   while ! [ -e results/restart ] || [ "$(ls results/restart | tail -n 1)" = step-00000005 ]; do sleep 0.1; done
 }
+
+# Root may write everywhere, but not without this capability.
+without_override=
+[ "$(id -u)" -ne 0 ] || without_override="setpriv --bounding-set -dac_override"
 
 # end: what was said by the run that has ended, and whether it can go on
 end() {
@@ -55,6 +59,7 @@ end() {
   say
   echo "    exit code $code"
   [ ! -e moved ] || mv moved results
+  chmod -R u+w results
   "$CAUDAL" --resume results -D "Time/End time=0.01" >printed 2>errors || cat errors
   grep -o "Resumed from" printed || cat printed
 }
@@ -75,14 +80,35 @@ echo "* the folder of the fields is removed"
 start -D "Output/Interval of fields=0"
 mv results/fields gone
 end
-echo "* the folder of the results is removed"
-start
+echo "* the folder of the results is removed, long before the next checkpoint"
+start -D "Checkpoint/Interval of steps=50"
 mv results moved
 end
+# stop: what was said by the run that has nothing left to go on from
+stop() {
+  wait $run
+  echo "    exit code $?"
+  say
+}
+
+echo "* nothing may be written to the folders any more"
+mkdir -p closed
+chmod a-w closed
+if $without_override sh -c '[ ! -w closed ]'; then
+  start
+  chmod a-w results results/*/
+  end
+else
+  # It can't be taken from this user: nothing to see here.
+  sed -n '/^. nothing may/ { n; N; N; p }' "$CAUDAL_SOURCE_DIR/tests/app/disk.expected"
+fi
+echo "* the folder of the results is removed for good, with few rows of statistics"
+start -D "Output/Interval of statistics=1000000"
+mv results gone_for_good
+rm -r gone_for_good
+stop
 echo "* the folder of checkpoints becomes a file"
 start
 mv results/restart kept
 touch results/restart
-wait $run
-echo "    exit code $?"
-say
+stop

@@ -26,6 +26,9 @@ subsection Body fish
     end
   end
 end
+subsection Fluid
+  set Control volume = 0.4, 0.4; 2.6, 1.6
+end
 subsection Refinement
   set Interval         = 3
   set Vorticity levels = 3

@@ -33,7 +33,8 @@ namespace
   {
     // Speed v = 2 (1 - exp(-3 t)) + 0.01 sin(4 pi t / T), power 50 (1 + cos(4 pi t / T)): 50
     // on average, 100 at most. In the end the fluid's force is 80 0.01 4 pi / T cos(4 pi t / T):
-    // thrust and drag are 8. Something pulls at the body with 3. Of the power 5 become
+    // thrust and drag are 8. Something pulls at the body with 3. The control volume finds a
+    // force of 0.5 too much. Of the power 5 become
     // kinetic energy, 40 heat (10 by stabilisation), 4 go to springs, and 1 is lost.
     const double T = 0.4;
     // No sample lies at a crossing or a peak, where round-off would decide.
@@ -49,6 +50,7 @@ namespace
       sample.muscle_work      = 50 * (t + T / (4 * M_PI) * std::sin(phase));
       sample.forward_momentum = 80 * (2 * (1 - std::exp(-3 * t)) + 0.01 * std::sin(phase)) + 3 * t;
       sample.body_impulse     = 3 * t;
+      sample.fluid_impulse    = sample.forward_momentum - 2.5 * t;
       sample.ledger.muscle_work           = sample.muscle_work;
       sample.ledger.feedback_work         = -4 * t;
       sample.ledger.external_work         = 2 * t;
@@ -75,13 +77,14 @@ int main()
   print_cycles(
       "Noise only", [&](double t) { return 0.002 * std::sin(omega * t); }, 1.4);
 
-  const SwimmerConstants fish{"fish", 1., 80., 1e-6, 1000., 2.};
-  SwimReport             report(fish, std::cout, "");
+  SwimmerConstants fish{"fish", 1., 80., 1e-6, 1000., 2.};
+  SwimReport       report(fish, std::cout, "");
   swim(report, 0., 1.6);
 
   // Half of the way: the rest is reported by a resumed run.
   std::stringstream archive;
   boost::archive::text_oarchive(archive) << report;
+  fish.has_control_volume = true;
   SwimReport resumed(fish, std::cout, "swim.txt");
   {
     boost::archive::text_iarchive in(archive);

@@ -46,7 +46,7 @@ namespace caudal
     ImmersedSystem<dim>                        system;
 
     CellSet<dim> make_body_cells(double margin) const;
-    bool         set_flags(const CellSet<dim> &body_cells) const;
+    bool         set_flags(const CellSet<dim> &body_cells, double time) const;
     void         transfer(double time);
     void         project(FieldVector &velocity, double step);
   };

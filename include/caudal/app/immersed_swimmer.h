@@ -63,7 +63,7 @@ namespace caudal
     void             check_probes() const;
     void             check_bodies() const;
     void             start_bodies();
-    void             adapt_grid(const TimeStepper &stepper, Log &log);
+    void             adapt_grid(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
     TrialCost        try_steps(unsigned int n_steps);
     StepResult       advance(TimeStepper &stepper, Log &log);
     void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);

@@ -31,6 +31,9 @@ namespace caudal
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
     void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
 
+    /** After each change of the grid, before the step from @p time. */
+    void report_new_grid(double time);
+
     /** The state at @p time as fields, whether they are due or not; not twice at the same time. */
     void write_fields(double time);
 

@@ -11,7 +11,8 @@ namespace caudal
   void write_screen_header(std::ostream &out, const SwimmerConstants &swimmer);
 
   /** The row of a beat on the screen: what there is room for. */
-  void write_screen_row(std::ostream &out, std::size_t number, const TailBeat &beat);
+  void write_screen_row(std::ostream &out, const SwimmerConstants &swimmer, std::size_t number,
+                        const TailBeat &beat);
 
   /**
    * The mean of beats at the end of a run, all quantities with their units and definitions:

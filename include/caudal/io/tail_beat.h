@@ -19,14 +19,15 @@ namespace caudal
   /** What does not change while the fish swims; per metre of span in 2D. */
   struct SwimmerConstants
   {
-    std::string name;                      // of the body
-    double      length;                    // L [m]
-    double      mass;                      // m [kg/m]
-    double      viscosity;                 // kinematic, nu [m^2/s]
-    double      fluid_density     = 1000;  // rho [kg/m^3]
-    double      wetted_area       = 0;     // of both sides, S; 2 L [m] in 2D [m^2/m]
-    bool        is_per_span       = true;  // two dimensions
-    double      minimum_amplitude = 0.005; // of a tail beat, in L
+    std::string name;                       // of the body
+    double      length;                     // L [m]
+    double      mass;                       // m [kg/m]
+    double      viscosity;                  // kinematic, nu [m^2/s]
+    double      fluid_density      = 1000;  // rho [kg/m^3]
+    double      wetted_area        = 0;     // of both sides, S; 2 L [m] in 2D [m^2/m]
+    bool        is_per_span        = true;  // two dimensions
+    double      minimum_amplitude  = 0.005; // of a tail beat, in L
+    bool        has_control_volume = false; // that gives the fluid's force once more
   };
 
   /** The state of the fish after a step; forces, energies and masses per metre of span in 2D. */
@@ -38,13 +39,14 @@ namespace caudal
     double       muscle_work;          // since the start [J/m]
     double       forward_momentum = 0; // m v [kg m/s per m]
     double       body_impulse     = 0; // of muscle and feedback on the body, forward [N s/m]
+    double       fluid_impulse    = 0; // of the fluid, by the control volume, forward [N s/m]
     EnergyLedger ledger           = {};
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &time &tail_position &forward_position &muscle_work;
-      archive &forward_momentum &body_impulse        &ledger;
+      archive &time &tail_position &forward_position         &muscle_work;
+      archive &forward_momentum &body_impulse &fluid_impulse &ledger;
     }
   };
 
@@ -66,6 +68,7 @@ namespace caudal
     double cost_of_transport     = 0;
     double momentum_rate         = 0;
     double body_force            = 0;
+    double fluid_force           = 0; // if there is a control volume
     double thrust                = 0;
     double drag                  = 0;
     double froude_efficiency     = 0;
@@ -87,9 +90,10 @@ namespace caudal
     {
       archive &start &period &frequency &amplitude &speed &lengths_per_s &strouhal &reynolds;
       archive &swimming &power &peak_power &energy_per_metre &cost_of_transport    &momentum_rate;
-      archive &body_force &thrust &drag &froude_efficiency &towing_power &quasi_propulsive;
-      archive &muscle_work &kinetic_energy &elastic_energy &dissipation  &numerical_dissipation;
-      archive &feedback &external_work &residual &change                 &is_steady;
+      archive &body_force &fluid_force &thrust &drag &froude_efficiency &towing_power
+                                                                        &quasi_propulsive;
+      archive &muscle_work &kinetic_energy &elastic_energy &dissipation &numerical_dissipation;
+      archive &feedback &external_work &residual &change                &is_steady;
     }
   };
 

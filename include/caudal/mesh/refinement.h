@@ -26,14 +26,15 @@ namespace caudal
    * finest near the bodies (@p body_cells); elsewhere by the @p indicator of
    * each active cell, h |vorticity| [m/s] at its largest (refine above the
    * threshold, coarsen below an eighth of it); never coarser than the level
-   * expression. If the cells would become too many, those with the smallest
+   * expression at @p time [s]. If the cells would become too many, those with the smallest
    * indicator are not refined; if they are too many, coarsened. Returns whether any flag is set
    * (collective).
    */
   template <int dim>
   bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
                   const CellLattice<dim> &lattice, const CellSet<dim> &body_cells,
-                  const Vector<float> &indicator, const RefinementParameters &parameters);
+                  const Vector<float> &indicator, const RefinementParameters &parameters,
+                  double time);
 } // namespace caudal
 
 #endif
