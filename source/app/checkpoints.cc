@@ -1,5 +1,7 @@
 #include <caudal/app/checkpoints.h>
 
+#include <caudal/base/collective.h>
+
 namespace caudal
 {
   namespace
@@ -103,7 +105,8 @@ namespace caudal
     unpack(state.bodies, bodies);
     unpack(state.stepper, *stepper);
     stepper->resume();
-    unpack(state.output, *output);
+    // Rank 0 writes tables anew.
+    run_on_all(communicator, [&]() { unpack(state.output, *output); });
   }
 
   template class Checkpoints<2>;

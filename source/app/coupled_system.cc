@@ -16,7 +16,8 @@ namespace caudal
     prm.add_parameter(
         "Largest number of iterations", largest_number_of_iterations,
         "Iterations after which an old factorisation is renewed, and after which a step "
-        "with a new one has failed [1].");
+        "with a new one has failed [1].",
+        Patterns::Integer(2));
     prm.add_parameter(
         "Augmentation", augmentation,
         "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "

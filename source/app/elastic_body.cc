@@ -124,10 +124,10 @@ namespace caudal
     Vector<double> momentum(solid.n_dofs()), displacement(solid.positions);
     solid.get_mass_matrix().vmult(momentum, solid.velocity);
     displacement -= solid.initial_positions;
-    statistics.set(prefix + "kinetic energy", "J/m",
+    statistics.set(prefix + "kinetic energy", get_extensive_unit<dim>("J"),
                    0.5 * solid.get_excess_density() * (momentum * solid.velocity));
-    statistics.set(prefix + "elastic energy", "J/m", shape.elastic_energy);
-    statistics.set(prefix + "work of gravity", "J/m", weight * displacement);
+    statistics.set(prefix + "elastic energy", get_extensive_unit<dim>("J"), shape.elastic_energy);
+    statistics.set(prefix + "work of gravity", get_extensive_unit<dim>("J"), weight * displacement);
     statistics.set(prefix + "min J", "", shape.smallest_jacobian);
     statistics.set(prefix + "max J", "", shape.largest_jacobian);
     statistics.write_row();

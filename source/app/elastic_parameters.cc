@@ -68,6 +68,13 @@ namespace caudal
       AssertThrow(solid->region_parameters[r]->material.thin_direction == "none",
                   ExcMessage(path + "/Thin direction: the elastic model has no fluid whose "
                                     "pressure takes the stress that this leaves out. Give none."));
+      const MaterialParameters &material = solid->region_parameters[r]->material;
+      AssertThrow(material.material == "St. Venant-Kirchhoff" || material.material == "none" ||
+                      material.volumetric_stabilisation > 0 ||
+                      solid->region_parameters[r]->cell_volume_stabilisation > 0,
+                  ExcMessage(path + "/Material: <" + material.material +
+                             "> leaves the volume to the fluid's pressure, and there is no fluid. "
+                             "Give St. Venant-Kirchhoff, or a Volumetric stabilisation."));
       AssertThrow(solid->region_parameters[r]->feedback_stiffness == 0 &&
                       solid->region_parameters[r]->feedback_damping == 0,
                   ExcMessage(path +

@@ -19,7 +19,7 @@ namespace caudal
           : TimeScheme<dim>(system)
       {}
 
-      StepResult advance(const TimeStepper &stepper) override
+      StepResult<dim> advance(const TimeStepper &stepper) override
       {
         const double step = stepper.get_step();
         for (const auto &body : system.bodies)

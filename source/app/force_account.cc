@@ -24,6 +24,7 @@ namespace caudal
     {
       const SolidBody<dim> &solid = body.solid;
       return !body.swims() && solid.get_excess_density() == 0 &&
+             solid.get_parameters().traction.empty() &&
              (solid.get_feedback_stiffness().linfty_norm() > 0 ||
               solid.get_feedback_damping().linfty_norm() > 0);
     }
@@ -33,7 +34,7 @@ namespace caudal
                     const Tensor<1, dim> &force)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        statistics.set(name + " " + "xyz"[d] + " " + cause, "N/m", force[d]);
+        statistics.set(name + " " + "xyz"[d] + " " + cause, get_extensive_unit<dim>("N"), force[d]);
     }
   } // namespace
 
@@ -48,6 +49,9 @@ namespace caudal
     const auto &corners = system.space.get_parameters().control_volume;
     if (!corners.empty())
       control_volume.emplace(system, BoundingBox<dim>({corners[0], corners[1]}));
+    AssertThrow(has_all_bodies_in_control_volume(),
+                ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
+                           "hold all bodies with their kernels. Give a larger one."));
   }
 
   template <int dim>

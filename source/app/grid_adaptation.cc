@@ -87,7 +87,7 @@ namespace caudal
   }
 
   template <int dim>
-  void GridAdaptation<dim>::transfer(const double time)
+  void GridAdaptation<dim>::transfer(const double time, const double old_time)
   {
     using Transfer = parallel::distributed::SolutionTransfer<dim, FieldVector>;
     Transfer        velocity_transfer(space.velocity_dofs), pressure_transfer(space.pressure_dofs);
@@ -102,13 +102,14 @@ namespace caudal
     triangulation.execute_coarsening_and_refinement();
 
     space.reinit();
-    space.set_boundary_values(time);
     system.fluid.reinit(space);
     std::vector<FieldVector *> velocities = {&system.fluid.velocity, &system.fluid.old_velocity};
     velocity_transfer.interpolate(velocities);
     pressure_transfer.interpolate(system.fluid.pressure);
-    for (FieldVector *velocity : velocities)
-      space.constraints.distribute(*velocity);
+    space.set_boundary_values(old_time);
+    space.constraints.distribute(system.fluid.old_velocity);
+    space.set_boundary_values(time);
+    space.constraints.distribute(system.fluid.velocity);
     system.fluid.update_ghost_values();
   }
 
@@ -140,7 +141,8 @@ namespace caudal
   }
 
   template <int dim>
-  AdaptationReport GridAdaptation<dim>::adapt(const double time, const double step)
+  AdaptationReport GridAdaptation<dim>::adapt(const double time, const double old_time,
+                                              const double step)
   {
     AdaptationReport report;
     const auto       before = summarise_flow(space, system.fluid.velocity);
@@ -152,7 +154,7 @@ namespace caudal
       {
         if ((pass > 0 && body_cells.is_covered_by(triangulation)) || !set_flags(body_cells, time))
           break;
-        transfer(time);
+        transfer(time, old_time);
         report.changed = true;
       }
       for (const auto &cell : triangulation.active_cell_iterators())

@@ -18,7 +18,7 @@ namespace caudal
                       "Warn if J exceeds this anywhere in a body; 0: never [1].");
     prm.add_parameter("Largest tether displacement", largest_tether_displacement,
                       "Warn if feedback springs let a node go further than this from its place, in "
-                      "spacings of the finest fluid grid; 0: never [1].");
+                      "cells of the finest fluid grid; 0: never [1].");
     prm.add_parameter("Largest power identity", largest_power_identity,
                       "Warn if the power of the body forces differs between fluid and body by more "
                       "than this part; 0: never [1].");
@@ -95,7 +95,7 @@ namespace caudal
            parameters.largest_jacobian, time, log);
     const double displacement = compute_tether_displacement(body);
     if (exceeds(displacement, parameters.largest_tether_displacement))
-      warn({"Largest tether displacement", "the displacement of the springs " + name, " spacings",
+      warn({"Largest tether displacement", "the displacement of the springs " + name, " cells",
             "Where springs are to hold a part in its place, increase Body/Region/Feedback "
             "stiffness."},
            displacement, parameters.largest_tether_displacement, time, log);

@@ -163,7 +163,7 @@ namespace caudal
     {
       if (cost.n_steps == 1)
         trial_clock.restart();
-      const StepResult result = scheme->advance(stepper);
+      const StepResult<dim> result = scheme->advance(stepper);
       scheme->accept(stepper.get_step());
       stepper.accept(result.indicators);
       ++cost.n_steps;
@@ -183,18 +183,19 @@ namespace caudal
                         stepper.get_step_number() % parameters.refinement.interval == 0;
     if (!is_due && !adaptation.is_needed())
       return;
-    const AdaptationReport report = adaptation.adapt(stepper.get_time(), stepper.get_step());
+    const AdaptationReport report = adaptation.adapt(
+        stepper.get_time(), stepper.get_time() - stepper.get_previous_step(), stepper.get_step());
     if (report.changed)
       output.report_new_grid(stepper.get_time());
     if (report.changed && !(std::abs(report.momentum_change) < 1e-3))
       log << "Warning: adapting the grid at t = " << stepper.get_time()
           << " s changed the momentum by " << report.momentum_change
           << " of that of the fastest flow, the kinetic energy by " << report.kinetic_energy_change
-          << " J/m.\n";
+          << ' ' << get_extensive_unit<dim>("J") << ".\n";
   }
 
   template <int dim>
-  StepResult ImmersedSwimmer<dim>::advance(TimeStepper &stepper, Log &log)
+  StepResult<dim> ImmersedSwimmer<dim>::advance(TimeStepper &stepper, Log &log)
   {
     for (;;)
     {
@@ -270,7 +271,7 @@ namespace caudal
     while (!stepper.is_at_end() && !stop_requested() && !is_out_of_time())
     {
       adapt_grid(stepper, output, log);
-      const StepResult result = advance(stepper, log);
+      const StepResult<dim> result = advance(stepper, log);
       scheme->accept(stepper.get_step());
       stepper.accept(result.indicators);
       output.report_step(stepper, result, triangulation.n_global_active_cells());

@@ -69,7 +69,12 @@ namespace caudal
     domain.check();
     fluid.check();
     for (const auto &body : bodies)
+    {
+      // Its files would be those of the flow.
+      AssertThrow(body->solid.get_path() != "Body fluid",
+                  ExcMessage("Bodies: a body can't be called fluid. Give it another name."));
       body->check(time.is_explicit());
+    }
     coupling.check();
     refinement.check(domain.levels);
     solver.check();

@@ -15,6 +15,7 @@ namespace caudal
                             const std::optional<KeptResults> &kept)
       : parameters(parameters)
       , system(system)
+      , log(log)
       , statistics(Utilities::MPI::this_mpi_process(system.space.get_communicator()) == 0
                        ? folder.path("statistics.txt")
                        : "",
@@ -63,13 +64,14 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::report_step(const TimeStepper &stepper, const StepResult &result,
+  void RunOutput<dim>::report_step(const TimeStepper &stepper, const StepResult<dim> &result,
                                    const unsigned int n_cells)
   {
     TimerOutput::Scope timer_section(system.timer, "output");
-    flow = summarise_flow(system.space, system.fluid.velocity);
+    flow = result.flow;
     update_ledger(stepper.get_time(), stepper.get_previous_step(), result.damping);
     forces.update(stepper.get_time());
+    warn_of_control_volume(stepper.get_time());
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(system.space.get_communicator(),
                [&]() { report_swimming(stepper.get_time(), stepper.get_previous_step()); });
@@ -78,6 +80,16 @@ namespace caudal
       write_statistics(stepper, result, n_cells);
     if (fields_are_due(stepper.get_time()) || stepper.is_at_end())
       write_fields(stepper.get_time());
+  }
+
+  template <int dim>
+  void RunOutput<dim>::warn_of_control_volume(const double time)
+  {
+    if (forces.has_all_bodies_in_control_volume() || has_warned_of_control_volume)
+      return;
+    has_warned_of_control_volume = true;
+    log << "Warning: a body has left Fluid/Control volume at t = " << time
+        << " s; the force by control volume is none on the bodies from here on." << std::endl;
   }
 
   template <int dim>
@@ -165,7 +177,7 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::write_statistics(const TimeStepper &stepper, const StepResult &result,
+  void RunOutput<dim>::write_statistics(const TimeStepper &stepper, const StepResult<dim> &result,
                                         const unsigned int n_cells)
   {
     statistics.set("time", "s", stepper.get_time());
@@ -183,19 +195,21 @@ namespace caudal
       identity = std::max(identity, system.bodies[b]->power_identity);
     }
     forces.set_control_volume_statistics(statistics);
-    statistics.set("kinetic energy", "J/m", ledger.kinetic_energy);
-    statistics.set("dissipation", "J/m", ledger.dissipation);
-    statistics.set("numerical dissipation", "J/m", ledger.numerical_dissipation);
-    statistics.set("external work", "J/m", ledger.external_work);
-    statistics.set("energy residual", "J/m", ledger.get_residual(initial_ledger));
+    statistics.set("kinetic energy", get_extensive_unit<dim>("J"), ledger.kinetic_energy);
+    statistics.set("dissipation", get_extensive_unit<dim>("J"), ledger.dissipation);
+    statistics.set("numerical dissipation", get_extensive_unit<dim>("J"),
+                   ledger.numerical_dissipation);
+    statistics.set("external work", get_extensive_unit<dim>("J"), ledger.external_work);
+    statistics.set("energy residual", get_extensive_unit<dim>("J"),
+                   ledger.get_residual(initial_ledger));
     statistics.set("power identity", "", identity);
     set_probe_statistics();
     if (!parameters.fluid.exact_solution.empty())
     {
       const auto [velocity_error, pressure_error] =
           compute_errors(system.space, system.fluid, stepper.get_time());
-      statistics.set("velocity error", "m^2/s", velocity_error);
-      statistics.set("pressure error", "Pa m", pressure_error);
+      statistics.set("velocity error", dim == 2 ? "m^2/s" : "m^2.5/s", velocity_error);
+      statistics.set("pressure error", dim == 2 ? "Pa m" : "Pa m^1.5", pressure_error);
     }
     run_on_all(system.space.get_communicator(), [&]() { statistics.write_row(); });
   }
@@ -243,10 +257,11 @@ namespace caudal
     statistics.set(prefix + "max J", "", body.deformation.largest_jacobian);
     statistics.set(prefix + "lateral position", "m", body.get_lateral_position());
     statistics.set(prefix + "activation", "", body.get_activation());
-    statistics.set(prefix + "muscle power", "W/m", body.muscle_power);
-    statistics.set(prefix + "muscle work", "J/m", body.muscle_work);
-    statistics.set(prefix + "elastic energy", "J/m", body.deformation.elastic_energy);
-    statistics.set(prefix + "feedback work", "J/m", body.feedback_work);
+    statistics.set(prefix + "muscle power", get_extensive_unit<dim>("W"), body.muscle_power);
+    statistics.set(prefix + "muscle work", get_extensive_unit<dim>("J"), body.muscle_work);
+    statistics.set(prefix + "elastic energy", get_extensive_unit<dim>("J"),
+                   body.deformation.elastic_energy);
+    statistics.set(prefix + "feedback work", get_extensive_unit<dim>("J"), body.feedback_work);
   }
 
   template <int dim>

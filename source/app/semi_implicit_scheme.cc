@@ -20,7 +20,7 @@ namespace caudal
           : TimeScheme<dim>(system)
       {}
 
-      StepResult advance(const TimeStepper &stepper) override
+      StepResult<dim> advance(const TimeStepper &stepper) override
       {
         const TimeWeights weights = stepper.get_weights();
         predict_fluid(weights, stepper.get_next_time());
@@ -48,8 +48,8 @@ namespace caudal
           move_body(*body, weights);
           compute_middle_forces(*body, stepper);
         }
-        StepResult result = this->check_trial_state(iterations, stepper.get_step(), predicted);
-        result.damping    = compute_damping(stepper);
+        StepResult<dim> result = this->check_trial_state(iterations, stepper.get_step(), predicted);
+        result.damping         = compute_damping(stepper);
         return result;
       }
 

@@ -2,6 +2,8 @@
 
 #include <caudal/solid/rigid_motion.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <cmath>
 
 namespace caudal
@@ -20,10 +22,12 @@ namespace caudal
         "Names of the body's regions from head to tail, separated by commas; each has "
         "a section `Region <name>`.");
     solid.add_parameters(prm);
-    prm.add_parameter("Lateral frame", lateral_frame,
-                      "What the muscle's monitored point is measured against: domain: the axis at "
-                      "the start; head: the present axis of the first region.",
-                      Patterns::Selection("domain|head"));
+    prm.add_parameter(
+        "Lateral frame", lateral_frame,
+        "What the muscle's monitored point is measured against: domain: the axis at "
+        "the start; head: the present axis of the first region. The swim report tells of the "
+        "motion along the axis at the start.",
+        Patterns::Selection("domain|head"));
     muscle.add_parameters(prm);
     gait.add_parameters(prm);
     prm.add_parameter("Gait damping", gait_damping,
@@ -43,6 +47,13 @@ namespace caudal
     AssertThrow(std::isfinite(gait_damping) && gait_damping > 0,
                 ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
                            ". Give a positive number."));
+    AssertThrow(controller.type == "none" || muscle.type != "none",
+                ExcMessage(path + "/Controller/Type: the controller <" + controller.type +
+                           "> acts on the muscle, and there is none. Give Muscle/Type, or no "
+                           "controller."));
+    AssertThrow(controller.type != "heading" || muscle.type != "fibres",
+                ExcMessage(path + "/Controller/Type: fibres pull on both sides alike and can't "
+                                  "steer. Give another muscle, or no controller of the heading."));
     if (is_explicit)
     {
       AssertThrow(gait.type == "none",
@@ -68,6 +79,7 @@ namespace caudal
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
       region_ids[parameters.solid.regions[r]] = r;
+    check_nose();
     muscle = create_muscle<dim>(parameters.muscle, length, region_ids);
     gait   = create_gait<dim>(parameters.gait, length);
 
@@ -85,6 +97,23 @@ namespace caudal
       lateral_point = solid.add_point(
           Point<dim>(parameters.muscle.monitored_point * length * Point<dim>::unit_vector(0)),
           solid.get_parameters().get_path() + "/Muscle/Monitored point");
+  }
+
+  template <int dim>
+  void SwimmingBody<dim>::check_nose() const
+  {
+    const bool uses_stations =
+        has_gait() || (parameters.muscle.type != "none" && parameters.muscle.type != "fibres");
+    const auto   box  = GridTools::compute_bounding_box(solid.get_triangulation());
+    const double nose = box.lower_bound(0);
+    AssertThrow(
+        !uses_stations || std::abs(nose) < 1e-3 * length,
+        ExcMessage(solid.get_parameters().get_path() +
+                   "/Shape: muscle and gait count s from x = 0 of the body's frame, but the "
+                   "shape begins at x = " +
+                   std::to_string(nose) +
+                   " m there. Give a shape whose nose is at 0 (naca, eel), or move that of "
+                   "the file."));
   }
 
   template <int dim>
@@ -251,6 +280,11 @@ namespace caudal
       solid.get_mass_matrix().vmult(driving_force, mean_density);
       driving_force -= elastic_system.elastic_force;
       driving_force -= new_feedback_force;
+      // The force density has the inertia of the excess mass in it, with the opposite sign.
+      Vector<double> acceleration(new_velocity);
+      acceleration -= solid.velocity;
+      acceleration *= solid.get_excess_density() / step;
+      solid.get_mass_matrix().vmult_add(driving_force, acceleration);
     }
     const double work = driving_force * displacement;
     muscle_work += work;

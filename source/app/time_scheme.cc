@@ -65,14 +65,15 @@ namespace caudal
   }
 
   template <int dim>
-  StepResult TimeScheme<dim>::check_trial_state(const unsigned int iterations, const double step,
-                                                const std::vector<Vector<double>> &predicted)
+  StepResult<dim> TimeScheme<dim>::check_trial_state(const unsigned int                 iterations,
+                                                     const double                       step,
+                                                     const std::vector<Vector<double>> &predicted)
   {
     AssertThrow(std::isfinite(new_velocity.l2_norm()) && std::isfinite(new_pressure.l2_norm()),
                 ExcNotFinite("The velocity or the pressure is"));
     const unsigned int   finest = system.lattice.get_finest_level();
     const Tensor<1, dim> h      = 0.5 * system.lattice.get_cell_size(finest);
-    StepResult           result;
+    StepResult<dim>      result;
     result.iterations = iterations;
     for (unsigned int b = 0; b < system.bodies.size(); ++b)
     {
@@ -91,8 +92,8 @@ namespace caudal
         }
     }
     check_distances(system.bodies, system.lattice);
-    result.indicators.convective_cfl =
-        summarise_flow(system.space, new_velocity).largest_rate * step;
+    result.flow                      = summarise_flow(system.space, new_velocity);
+    result.indicators.convective_cfl = result.flow.largest_rate * step;
     return result;
   }
 

@@ -32,7 +32,8 @@ namespace caudal
                       "Adapted steps: largest difference between the predicted and the computed "
                       "position of the body, in fluid spacings [1].");
     prm.add_parameter("Largest number of retries", largest_number_of_retries,
-                      "How often in a row a failed step is tried again with half its size [1].");
+                      "How often in a row a failed step is tried again with half its size [1].",
+                      Patterns::Integer(0));
     prm.leave_subsection();
   }
 
@@ -75,7 +76,7 @@ namespace caudal
       , step(parameters.step)
       , regular_step(parameters.step)
   {
-    limit_to_end();
+    choose_step();
   }
 
   bool TimeStepper::is_at_end() const
@@ -90,22 +91,28 @@ namespace caudal
 
   void TimeStepper::accept(const Indicators &indicators)
   {
+    // Predicted and computed positions of BDF2 differ by a term of third order in the step.
+    const double order = parameters.is_explicit() || previous_step == 0 ? 2 : 3;
     time += step;
     previous_step = step;
     ++step_number;
     n_retries = 0;
     if (parameters.adaptive)
     {
-      // Predicted and computed positions differ by a term of third order in the step.
-      const auto get_growth = [](const double limit, const double value, const double order) {
-        return std::pow(limit / std::max(value, 1e-10 * limit), 1 / order);
+      const auto get_growth = [](const double limit, const double value, const double power) {
+        return std::pow(limit / std::max(value, 1e-10 * limit), 1 / power);
       };
       const double growth =
           std::min({get_growth(parameters.body_cfl, indicators.body_cfl, 1),
                     get_growth(parameters.convective_cfl, indicators.convective_cfl, 1),
-                    get_growth(parameters.error_tolerance, indicators.error, 3)});
+                    get_growth(parameters.error_tolerance, indicators.error, order)});
       regular_step =
           std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
+      AssertThrow(regular_step >= parameters.smallest_step,
+                  ExcMessage("Time/Smallest step: the limits of adapted steps ask for " +
+                             std::to_string(regular_step) + " s at t = " + std::to_string(time) +
+                             " s, which is less. Relax Body CFL, Convective CFL or Error "
+                             "tolerance, or look what becomes so fast."));
     }
     choose_step();
   }
@@ -123,6 +130,8 @@ namespace caudal
     // After a rejection the step grows back to its regular size gently: BDF2
     // with variable step is stable up to a ratio of 1 + sqrt(2).
     step = previous_step == 0 ? regular_step : std::min(regular_step, 1.5 * previous_step);
+    if (parameters.adaptive)
+      step = std::min(step, parameters.largest_step);
     limit_to_end();
   }
 

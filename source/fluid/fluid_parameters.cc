@@ -90,6 +90,10 @@ namespace caudal
                              std::to_string(d) + ". Exchange them."));
     check_range("Inflow ramp", inflow_ramp, true);
     make_expression<dim>("Fluid/Inflow velocity", inflow_velocity, dim);
+    AssertThrow(has_condition(BoundaryCondition::inflow) ||
+                    inflow_velocity == FluidParameters<dim>().inflow_velocity,
+                ExcMessage("Fluid/Inflow velocity: no side is an inflow. Set one to inflow in "
+                           "Fluid/Boundary conditions, or leave the velocity out."));
     make_expression<dim>("Fluid/Initial velocity", initial_velocity, dim);
     make_expression<dim>("Fluid/Body force", body_force, dim);
     if (!exact_solution.empty())

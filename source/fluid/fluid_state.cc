@@ -1,5 +1,6 @@
 #include <caudal/fluid/fluid_state.h>
 
+#include <caudal/base/collective.h>
 #include <caudal/base/expression.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -270,8 +271,10 @@ namespace caudal
     const QGauss<dim>     quadrature(5);
     const auto           &triangulation = space.get_triangulation();
     Vector<float>         errors(triangulation.n_active_cells());
-    VectorTools::integrate_difference(space.velocity_dofs, state.velocity, exact_velocity, errors,
-                                      quadrature, VectorTools::L2_norm);
+    run_on_all(space.get_communicator(), [&]() {
+      VectorTools::integrate_difference(space.velocity_dofs, state.velocity, exact_velocity, errors,
+                                        quadrature, VectorTools::L2_norm);
+    });
     const double velocity_error =
         VectorTools::compute_global_error(triangulation, errors, VectorTools::L2_norm);
 
@@ -280,19 +283,21 @@ namespace caudal
                                update_values | update_quadrature_points | update_JxW_values);
     std::vector<double> pressures(quadrature.size());
     double              volume = 0, mean = 0, square = 0;
-    for (const auto &cell : space.pressure_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        values.reinit(cell);
-        values.get_function_values(state.pressure, pressures);
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
+    run_on_all(space.get_communicator(), [&]() {
+      for (const auto &cell : space.pressure_dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
         {
-          const double error = pressures[q] - exact_pressure.value(values.quadrature_point(q), 0);
-          volume += values.JxW(q);
-          mean += error * values.JxW(q);
-          square += error * error * values.JxW(q);
+          values.reinit(cell);
+          values.get_function_values(state.pressure, pressures);
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            const double error = pressures[q] - exact_pressure.value(values.quadrature_point(q), 0);
+            volume += values.JxW(q);
+            mean += error * values.JxW(q);
+            square += error * error * values.JxW(q);
+          }
         }
-      }
+    });
     volume = Utilities::MPI::sum(volume, space.get_communicator());
     mean   = Utilities::MPI::sum(mean, space.get_communicator()) / volume;
     square = Utilities::MPI::sum(square, space.get_communicator());

@@ -118,7 +118,8 @@ namespace caudal
     prm.enter_subsection("Checkpoint");
     prm.add_parameter("Interval of steps", step_interval,
                       "Steps between two checkpoints, from which a run can be resumed; 0: the "
-                      "wall time alone decides [1].");
+                      "wall time alone decides [1].",
+                      Patterns::Integer(0));
     prm.add_parameter("Interval of wall time", wall_time_interval,
                       "Wall time between two checkpoints [min]; 0: the steps alone decide. "
                       "A checkpoint changes what follows within the solver's tolerance: a run that "

@@ -57,7 +57,7 @@ namespace caudal
          false, [](const TailBeat &b) { return b.body_force; }},
         {fluid_force, "Fvol", "N", true,
          "mean forward force of the fluid once more, by the momentum balance of Fluid/Control "
-         "volume; dmv/dt - Fbody is to be the same",
+         "volume (nan once the fish has left it); dmv/dt - Fbody is to be the same",
          4, true, [](const TailBeat &b) { return b.fluid_force; }},
         {"thrust", "thrust", "N", true,
          "mean of the positive part of the fluid's forward force d(mv)/dt - Fbody of the steps, as "

@@ -22,7 +22,8 @@ namespace caudal
     prm.add_parameter("Cells", cells, "Numbers of coarse cells in each direction [1].",
                       Patterns::List(Patterns::Integer(1), dim, dim));
     prm.add_parameter("Levels", levels,
-                      "Number of refinement levels, the coarse grid included [1].");
+                      "Number of refinement levels, the coarse grid included [1].",
+                      Patterns::Integer(1));
     prm.leave_subsection();
   }
 

@@ -10,7 +10,8 @@ namespace caudal
   void RefinementParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Refinement");
-    prm.add_parameter("Interval", interval, "Number of steps between adaptations of the grid [1].");
+    prm.add_parameter("Interval", interval, "Number of steps between adaptations of the grid [1].",
+                      Patterns::Integer(1));
     prm.add_parameter(
         "Body margin", body_margin,
         "Cells of the finest level around the bodies beyond the support of the kernel [1].");
@@ -19,11 +20,13 @@ namespace caudal
                       "eighth of it [m/s]. 0 switches it off.");
     prm.add_parameter("Vorticity levels", vorticity_levels,
                       "The number of levels that the vorticity may ask for, counted like "
-                      "Domain/Levels; 0: all [1].");
+                      "Domain/Levels; 0: all [1].",
+                      Patterns::Integer(0));
     prm.add_parameter(
         "Largest number of cells", largest_number_of_cells,
         "The vorticity asks for no more cells than this; where the bodies have brought "
-        "more, the calmest are coarsened [1].");
+        "more, the calmest are coarsened [1].",
+        Patterns::Integer(1));
     prm.add_parameter(
         "Level expression", level_expression,
         "Function of x, y (z) and t: the level, from 0, that the grid has there at least [1]. The "

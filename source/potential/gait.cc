@@ -5,6 +5,7 @@
 #include <caudal/potential/number_table.h>
 #include <caudal/potential/pulsating_sphere.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace caudal::potential
@@ -353,6 +354,13 @@ namespace caudal::potential
                              Patterns::Tools::to_string(frequency) +
                              ". Give a positive frequency [Hz]; a body at rest or without joints "
                              "has Gait/Type = none."));
+    std::vector<double> sorted(frequencies);
+    std::sort(sorted.begin(), sorted.end());
+    AssertThrow(std::adjacent_find(sorted.begin(), sorted.end(),
+                                   [](double a, double b) { return b - a < 1e-5 * b; }) ==
+                    sorted.end(),
+                ExcMessage("Gait/Frequency: two values are the same; their results would be "
+                           "written to the same files. Leave one out."));
     if (type == "table")
       create_gait(*this);
   }

@@ -90,6 +90,9 @@ namespace caudal
       AssertThrow(dim == 3 || region_parameters[r]->material.thin_direction != "z",
                   ExcMessage(path + "/Thin direction: the value is z, which is normal to the "
                                     "plane of this body. Give none, x or y."));
+      AssertThrow(dim == 3 || region_parameters[r]->feedback_directions != "z",
+                  ExcMessage(path + "/Feedback directions: the value is z, which is normal to the "
+                                    "plane of this body. Give x, y or xy."));
     }
   }
 

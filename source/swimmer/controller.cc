@@ -2,6 +2,7 @@
 #include <caudal/swimmer/controller.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace caudal
 {
@@ -28,7 +29,8 @@ namespace caudal
 
       MuscleCommand compute_command(const SwimmerState &state) const override
       {
-        const double bias = gain * (state.heading - target) + rate_gain * state.yaw_rate;
+        const double error = std::remainder(state.heading - target, 2 * numbers::PI);
+        const double bias  = gain * error + rate_gain * state.yaw_rate;
         return {1., std::clamp(bias, -limit, limit)};
       }
 

@@ -60,7 +60,7 @@ namespace
     // The first adaptation makes the velocity discretely divergence-free; then
     // cells are refined by a smaller threshold and coarsened by a larger one.
     parameters.refinement.vorticity_threshold = dim == 2 ? 0.4 : 0.8;
-    adaptation.adapt(0, 0.01);
+    adaptation.adapt(0, 0, 0.01);
     for (const double threshold : {0.2, 8.})
     {
       parameters.refinement.vorticity_threshold = threshold;
@@ -68,7 +68,7 @@ namespace
       fluid.update_ghost_values();
       const auto             before  = summarise_flow(space, fluid.velocity);
       const unsigned int     n_cells = triangulation.n_global_active_cells();
-      const AdaptationReport report  = adaptation.adapt(0, 0.01);
+      const AdaptationReport report  = adaptation.adapt(0, 0, 0.01);
       const auto             after   = summarise_flow(space, fluid.velocity);
 
       const double divergence     = compute_divergence(space, momentum, fluid.velocity);
@@ -88,11 +88,11 @@ namespace
 
     // The number of cells is bounded also after they have become too many.
     parameters.refinement.vorticity_threshold = 0.2;
-    adaptation.adapt(0, 0.01);
+    adaptation.adapt(0, 0, 0.01);
     const unsigned int n_most                     = 2 * triangulation.n_global_active_cells() / 3;
     parameters.refinement.largest_number_of_cells = n_most;
     for (unsigned int k = 0; k < 3; ++k)
-      adaptation.adapt(0, 0.01);
+      adaptation.adapt(0, 0, 0.01);
     const unsigned int n_cells = triangulation.n_global_active_cells();
     if (is_root)
       std::cout << "  bounded " << (n_cells < 1.05 * n_most && n_cells > 0.8 * n_most) << '\n';
@@ -157,7 +157,8 @@ namespace
     {
       step();
       compare();
-      adaptation.adapt(stepper.get_time(), stepper.get_step());
+      adaptation.adapt(stepper.get_time(), stepper.get_time() - stepper.get_previous_step(),
+                       stepper.get_step());
       same_range = same_range && space.velocity_dofs.locally_owned_dofs() == owned;
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned() && cell->level() == 3)

@@ -29,6 +29,9 @@ namespace caudal
     /** V are the coarse cells with their centre in @p box. */
     ControlVolumeForce(const ImmersedSystem<dim> &system, const BoundingBox<dim> &box);
 
+    /** Whether all bodies, with the kernel's support, are in V. */
+    bool has_all_bodies() const;
+
     /** After each step. */
     void update(double time);
 
@@ -60,8 +63,6 @@ namespace caudal
     Tensor<1, dim>          force, impulse;
 
     Tensor<1, dim> compute_body_momentum() const;
-    /** Whether all bodies, with the kernel's support, are in V. */
-    bool has_all_bodies() const;
   };
 } // namespace caudal
 

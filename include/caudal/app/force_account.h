@@ -40,6 +40,12 @@ namespace caudal
     /** The impulse by the control volume since the start [N s/m]; NaN if it is not known. */
     Tensor<1, dim> get_control_volume_impulse() const;
 
+    /** Whether what the control volume tells is the force on the bodies; true without one. */
+    bool has_all_bodies_in_control_volume() const
+    {
+      return !control_volume || control_volume->has_all_bodies();
+    }
+
     void set_body_statistics(unsigned int body, Statistics &statistics) const;
     void set_control_volume_statistics(Statistics &statistics) const;
 

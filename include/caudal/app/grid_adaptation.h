@@ -34,7 +34,7 @@ namespace caudal
     /** Whether the bodies, soon to be at their extrapolated places, come near coarser cells. */
     bool is_needed() const;
 
-    AdaptationReport adapt(double time, double step);
+    AdaptationReport adapt(double time, double old_time, double step);
 
     /** What follows from the grid alone, after each change of it. */
     void set_up_operators();
@@ -47,7 +47,7 @@ namespace caudal
 
     CellSet<dim> make_body_cells(double margin) const;
     bool         set_flags(const CellSet<dim> &body_cells, double time) const;
-    void         transfer(double time);
+    void         transfer(double time, double old_time);
     void         project(FieldVector &velocity, double step);
   };
 } // namespace caudal

@@ -65,7 +65,7 @@ namespace caudal
     void             start_bodies();
     void             adapt_grid(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
     TrialCost        try_steps(unsigned int n_steps);
-    StepResult       advance(TimeStepper &stepper, Log &log);
+    StepResult<dim>  advance(TimeStepper &stepper, Log &log);
     void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);
     bool is_out_of_time() const;
     void write_last_state(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);

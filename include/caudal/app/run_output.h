@@ -29,7 +29,8 @@ namespace caudal
               const OutputFolder &folder, Log &log, const std::optional<KeptResults> &kept = {});
 
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
-    void report_step(const TimeStepper &stepper, const StepResult &result, unsigned int n_cells);
+    void report_step(const TimeStepper &stepper, const StepResult<dim> &result,
+                     unsigned int n_cells);
 
     /** After each change of the grid, before the step from @p time. */
     void report_new_grid(double time);
@@ -79,6 +80,7 @@ namespace caudal
   private:
     const RunParameters<dim>                &parameters;
     ImmersedSystem<dim>                      system;
+    Log                                     &log;
     Statistics                               statistics;
     FieldOutput                              field_output;
     std::vector<std::unique_ptr<SwimReport>> swim_reports;
@@ -87,17 +89,19 @@ namespace caudal
     EnergyLedger                             ledger, initial_ledger;
     std::vector<double>                      body_impulses; // forward [N s/m]
     FlowSummary<dim>                         flow;
-    double                                   last_dissipation           = 0; // [W/m]
-    double                                   last_numerical_dissipation = 0; // [W/m]
-    double                                   last_external_power        = 0; // [W/m]
-    unsigned int                             n_field_outputs            = 0;
-    double                                   last_field_time            = -1;
+    double                                   last_dissipation             = 0; // [W/m]
+    double                                   last_numerical_dissipation   = 0; // [W/m]
+    double                                   last_external_power          = 0; // [W/m]
+    unsigned int                             n_field_outputs              = 0;
+    double                                   last_field_time              = -1;
+    bool                                     has_warned_of_control_volume = false;
 
     SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
     void             update_ledger(double time, double step, double damping);
+    void             warn_of_control_volume(double time);
     bool             fields_are_due(double time) const;
     void             report_swimming(double time, double step);
-    void             write_statistics(const TimeStepper &stepper, const StepResult &result,
+    void             write_statistics(const TimeStepper &stepper, const StepResult<dim> &result,
                                       unsigned int n_cells);
     void             set_probe_statistics();
     void             set_body_statistics(unsigned int body);

@@ -145,6 +145,8 @@ namespace caudal
     SurfaceLoad<dim>                   surface_load;
     unsigned int                       lateral_point = 0;
 
+    /** Throws if muscle or gait count s from another place than the body's nose. */
+    void         check_nose() const;
     SwimmerState get_swimmer_state(double time, double step) const;
     void restore(const Vector<double> &initial_positions, const std::vector<double> &muscle_state);
   };

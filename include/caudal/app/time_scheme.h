@@ -24,10 +24,13 @@ namespace caudal
   };
 
   /** What a step tells. */
+  template <int dim>
   struct StepResult
   {
     unsigned int            iterations = 0;
     TimeStepper::Indicators indicators;
+    /** Of the velocity at t^{n+1}. */
+    FlowSummary<dim> flow;
     /**
      * What the scheme's own damping has taken from the fluid in the step [J/m in 2D]: with BDF2
      * rho/4 |u^{n+1} - 2 u^n + u^{n-1}|^2, for equal steps (Hairer & Wanner 1996,
@@ -46,7 +49,7 @@ namespace caudal
   public:
     virtual ~TimeScheme() = default;
 
-    virtual StepResult advance(const TimeStepper &stepper) = 0;
+    virtual StepResult<dim> advance(const TimeStepper &stepper) = 0;
 
     /** The trial state becomes the present one. */
     void accept(const double step);
@@ -70,8 +73,8 @@ namespace caudal
     double get_augmentation(double inertia) const;
 
     /** Throws unless velocities are finite and no body cell is inverted; fills the indicators. */
-    StepResult check_trial_state(unsigned int iterations, double step,
-                                 const std::vector<Vector<double>> &predicted);
+    StepResult<dim> check_trial_state(unsigned int iterations, double step,
+                                      const std::vector<Vector<double>> &predicted);
 
     ImmersedSystem<dim> system;
     FieldVector         new_velocity, new_pressure;

@@ -9,6 +9,13 @@
 
 namespace caudal
 {
+  /** The unit of an extensive quantity: in two dimensions it is per metre of span. */
+  template <int dim>
+  std::string get_extensive_unit(const std::string &unit)
+  {
+    return dim == 2 ? unit + "/m" : unit;
+  }
+
   /**
    * A table with a row per time step and a column per quantity, as a text file
    * for gnuplot, numpy.loadtxt and the eye: headers "# n: name [unit]", then
