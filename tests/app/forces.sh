@@ -21,7 +21,7 @@ set -- $(cat forces)
 check "ranks agree" "($1 / $2 - 1)^2 < 1e-5^2"
 
 # An eel that swims: the force on it by two accounts, over a tail beat and in each step. On its
-# coarse grid the grid changes, which would show as spikes of a sixth of the largest force.
+# coarse grid the grid changes, which would show as spikes of a third of the largest force.
 "$CAUDAL" "$CAUDAL_SOURCE_DIR/prm/eel.prm" -D "Output/Folder=eel" -D "Output/Interval of fields=100" \
   -D "Domain/Cells=16,8" -D "Body eel/Shape/Elements=32,4" -D "Refinement/Largest number of cells=1250" \
   -D "Fluid/Control volume=1,0.5;7.5,3.5" -D "Time/Step=0.01" -D "Time/End time=1.95" \
