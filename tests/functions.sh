@@ -103,12 +103,12 @@ write_salmon() {
 set Model = potential
 subsection Time
   set End time   = 0.4
-  set Step       = 0.15
+  set Step       = 0.1
   set First part = 0
 end
 subsection Surface
-  set Cells along  = 2
-  set Cells across = 2
+  set Cells along  = 1
+  set Cells across = 1
 end
 subsection Shape
   set Stations = 0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3
