@@ -1,5 +1,6 @@
 #include <caudal/app/elastic_body.h>
-#include <caudal/app/immersed_run.h>
+#include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/model_run.h>
 #include <caudal/app/potential_swimmer.h>
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/command_line.h>
@@ -55,11 +56,46 @@ namespace
       MPI_Abort(MPI_COMM_WORLD, failed);
   }
 
-  /** Runs or checks a case with the swimmer and the parameters of one model. */
-  template <class Swimmer, class Parameters>
-  Exit run_model(Parameters &parameters, const ParameterFile &file, const CommandLine &command_line)
+  /** Prints rank 0's text. */
+  void print(const std::string &text)
+  {
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << text << std::flush;
+  }
+
+  Exit get_exit(const Outcome outcome)
+  {
+    return outcome == Outcome::finished ? finished : stopped;
+  }
+
+  /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
+  template <class Swimmer>
+  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  {
+    using Action                  = CommandLine::Action;
+    const unsigned int n_verified = 10; // steps
+    if (command_line.action == Action::verify_restart)
+    {
+      print(verify_restart<Swimmer>(file, n_verified, MPI_COMM_WORLD) + "\n");
+      return finished;
+    }
+    const ModelRun<Swimmer> run(file, MPI_COMM_WORLD);
+    if (command_line.action == Action::check)
+    {
+      std::ostringstream summary;
+      run.check(summary, command_line.fast);
+      print(summary.str());
+      return finished;
+    }
+    return get_exit(command_line.action == Action::resume ? run.resume(stop_requested)
+                                                          : run.start(stop_requested));
+  }
+
+  template <int dim>
+  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
   {
     using Action = CommandLine::Action;
+    ElasticParameters<dim> parameters(&file);
     AssertThrow(command_line.action != Action::resume &&
                     command_line.action != Action::verify_restart,
                 ExcMessage("Model: runs of the model " + parameters.model +
@@ -68,18 +104,16 @@ namespace
     parameters.declare(prm);
     file.parse(prm);
     parameters.check();
-    if (command_line.action == Action::check)
-    {
-      const Swimmer      swimmer(parameters, MPI_COMM_WORLD);
-      std::ostringstream summary;
-      swimmer.print_summary(summary);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cout << summary.str() << "Nothing speaks against a run.\n";
-      return finished;
-    }
 
     // What can be wrong with the case is found before anything is written.
-    Swimmer            swimmer(parameters, MPI_COMM_WORLD);
+    ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
+    if (command_line.action == Action::check)
+    {
+      std::ostringstream summary;
+      body.print_summary(summary);
+      print(summary.str() + "Nothing speaks against a run.\n");
+      return finished;
+    }
     const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);
     std::ostringstream used_parameters;
     prm.print_parameters(used_parameters, ParameterHandler::PRM);
@@ -88,46 +122,7 @@ namespace
     log.print_banner();
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
-    return swimmer.run(folder, log, stop_requested) == Outcome::finished ? finished : stopped;
-  }
-
-  template <int dim>
-  Exit run_immersed(const ParameterFile &file, const CommandLine &command_line)
-  {
-    using Action                  = CommandLine::Action;
-    const unsigned int n_verified = 10; // steps
-    if (command_line.action == Action::verify_restart)
-    {
-      const std::string result = verify_restart<dim>(file, n_verified, MPI_COMM_WORLD);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cout << result << std::endl;
-      return finished;
-    }
-    const ImmersedRun<dim> run(file, MPI_COMM_WORLD);
-    if (command_line.action == Action::check)
-    {
-      std::ostringstream summary;
-      run.check(summary, command_line.fast);
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cout << summary.str();
-      return finished;
-    }
-    const Outcome outcome = command_line.action == Action::resume ? run.resume(stop_requested)
-                                                                  : run.start(stop_requested);
-    return outcome == Outcome::finished ? finished : stopped;
-  }
-
-  template <int dim>
-  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
-  {
-    ElasticParameters<dim> parameters(&file);
-    return run_model<ElasticBody<dim>>(parameters, file, command_line);
-  }
-
-  Exit run_potential(const ParameterFile &file, const CommandLine &command_line)
-  {
-    PotentialParameters parameters;
-    return run_model<PotentialSwimmer>(parameters, file, command_line);
+    return get_exit(body.run(folder, log, stop_requested));
   }
 
   /** The parameters of the run in a folder of results, with overrides. */
@@ -182,11 +177,12 @@ namespace
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
     if (model == "potential")
-      return run_potential(*file, command_line);
+      return run_model<PotentialSwimmer>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
       return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);
-    return is_plane ? run_immersed<2>(*file, command_line) : run_immersed<3>(*file, command_line);
+    return is_plane ? run_model<ImmersedSwimmer<2>>(*file, command_line)
+                    : run_model<ImmersedSwimmer<3>>(*file, command_line);
   }
 } // namespace
 

@@ -95,3 +95,37 @@ subsection Body disc
 end
 EOF
 }
+
+# write_salmon: salmon.prm, a pushed fish in an ideal fluid at two frequencies, whose times have
+# more digits than the list of fields.
+write_salmon() {
+  cat >salmon.prm <<'EOF'
+set Model = potential
+subsection Time
+  set End time   = 0.4
+  set Step       = 0.1
+  set First part = 0
+end
+subsection Surface
+  set Cells along  = 1
+  set Cells across = 1
+end
+subsection Shape
+  set Stations = 0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3
+end
+subsection Gait
+  set Frequency = 2.5, 5
+end
+subsection Body
+  set Linear impulse = -1e-4, 1e-5, 0
+end
+subsection Integration
+  set Phases  = 8
+  set Torques = false
+end
+subsection Output
+  set Folder             = results
+  set Interval of fields = 0.1
+end
+EOF
+}

@@ -1,4 +1,5 @@
 #include <caudal/app/checkpoints.h>
+#include <caudal/base/archive.h>
 
 #include <caudal/base/collective.h>
 
@@ -32,29 +33,23 @@ namespace caudal
       , adaptation(adaptation)
       , system(system)
       , communicator(triangulation.get_communicator())
+      , writer(parameters.checkpoint, communicator)
   {}
 
   template <int dim>
   void Checkpoints<dim>::start(const OutputFolder &output_folder, const ParameterValues &new_values,
                                TimeStepper &new_stepper, RunOutput<dim> &new_output)
   {
-    folder = std::make_unique<CheckpointFolder>(output_folder.path(), parameters.checkpoint.n_slots,
-                                                communicator);
-    values = new_values;
+    writer.start(output_folder.path());
+    values  = new_values;
     stepper = &new_stepper;
     output  = &new_output;
-    values.erase("Output/Folder"); // it may be moved
-    clock.restart();
   }
 
   template <int dim>
   bool Checkpoints<dim>::is_due() const
   {
-    const unsigned int interval = parameters.checkpoint.step_interval;
-    const double       minutes  = parameters.checkpoint.wall_time_interval;
-    const bool         by_steps = interval > 0 && stepper->get_step_number() % interval == 0;
-    const bool         by_time  = minutes > 0 && clock.wall_time() > 60 * minutes;
-    return Utilities::MPI::max(static_cast<int>(by_steps || by_time), communicator) > 0;
+    return writer.is_due(stepper->get_step_number());
   }
 
   template <int dim>
@@ -75,15 +70,12 @@ namespace caudal
   template <int dim>
   void Checkpoints<dim>::write(const bool goes_on)
   {
-    if (n_written > 0 && last_step == stepper->get_step_number())
+    if (writer.has_written(stepper->get_step_number()))
       return;
     TimerOutput::Scope timer_section(system.timer, "checkpoint");
     RunState           state = take_state();
     std::string        bytes = pack(state);
-    folder->write(bytes, state.step_number, state.time);
-    ++n_written;
-    last_step = state.step_number;
-    clock.restart();
+    writer.write(bytes, state.step_number, state.time);
     if (!goes_on)
       return;
     broadcast_text(bytes, communicator);

@@ -255,20 +255,13 @@ namespace caudal
   }
 
   template <int dim>
-  bool ImmersedSwimmer<dim>::is_out_of_time() const
-  {
-    const double limit = parameters.checkpoint.wall_time_limit;
-    return limit > 0 && Utilities::MPI::max(clock.wall_time(), communicator) > 3600 * limit;
-  }
-
-  template <int dim>
   void ImmersedSwimmer<dim>::run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
                                         const std::function<bool()> &stop_requested)
   {
     Progress   progress(is_terminal() ? std::cout : log.get_stream(), stepper.get_time(),
                       parameters.time.end_time, is_terminal());
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
-    while (!stepper.is_at_end() && !stop_requested() && !is_out_of_time())
+    while (!stepper.is_at_end() && !stop_requested() && !checkpoints.is_out_of_time())
     {
       adapt_grid(stepper, output, log);
       const StepResult<dim> result = advance(stepper, log);
@@ -323,9 +316,9 @@ namespace caudal
     output.write_fields(stepper.get_time());
     output.finish();
     if (!stepper.is_at_end())
-      log << (stop_requested() ? "Stopped on request" : "Stopped by Checkpoint/Wall time limit")
-          << " at t = " << stepper.get_time() << " s, step " << stepper.get_step_number()
-          << ". To go on: caudal --resume " << folder.path() << std::endl;
+      log << describe_stop(stop_requested(), stepper.get_time(), stepper.get_step_number(),
+                           folder.path())
+          << std::endl;
 
     guards.print_summary(log);
     print_costs(stepper.get_step_number() - first_step, stepper.get_time() - start,

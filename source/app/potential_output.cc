@@ -1,9 +1,12 @@
 #include <caudal/app/potential_output.h>
+#include <caudal/base/collective.h>
 #include <caudal/potential/surface_fields.h>
 
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_fe_field.h>
 #include <deal.II/numerics/data_out.h>
+
+#include <filesystem>
 
 namespace caudal
 {
@@ -12,6 +15,17 @@ namespace caudal
   namespace
   {
     const std::string coordinates[] = {"x", "y", "z"};
+
+    /** Of the swim in the list of fields. */
+    std::string get_block_name(const std::string &suffix)
+    {
+      return "fish" + suffix;
+    }
+
+    std::string get_table_name(const std::string &suffix)
+    {
+      return "statistics" + suffix + ".txt";
+    }
 
     /** The potential of the whole flow at the nodes, in the body's state at another time. */
     Vector<double> compute_potential(StrokeModel &model, const MotionSample &sample,
@@ -50,37 +64,50 @@ namespace caudal
   PotentialOutput::PotentialOutput(const PotentialParameters &parameters, SwimmingShape &shape,
                                    StrokeModel &model, const OutputFolder &folder,
                                    FieldOutput &fields, const std::string &suffix,
+                                   OutputCounters &counters, const double kept_time,
                                    const MPI_Comm communicator)
       : parameters(parameters)
       , shape(shape)
       , model(model)
-      , name("fish" + suffix)
+      , name(get_block_name(suffix))
       , communicator(communicator)
       , statistics(Utilities::MPI::this_mpi_process(communicator) == 0
-                       ? folder.path("statistics" + suffix + ".txt")
-                       : "")
+                       ? folder.path(get_table_name(suffix))
+                       : "",
+                   kept_time)
       , fields(fields)
+      , counters(counters)
       , place_handler(shape.surface.get_dof_handler().get_triangulation())
   {
     place_handler.distribute_dofs(FESystem<2, 3>(shape.surface.get_fe(), 3));
   }
 
-  void PotentialOutput::write(const MotionSample &sample, const double rate)
+  void PotentialOutput::remove_after(const double time, const OutputFolder &folder,
+                                     FieldOutput &fields, const std::string &suffix,
+                                     const MPI_Comm communicator)
   {
-    if (n_rows == 0)
-      first_centre = sample.centre;
-    if (n_rows % parameters.output.statistics_interval == 0)
-      write_row(sample, rate);
-    ++n_rows;
-    const double end = parameters.time.end_time;
-    if (sample.time >= std::min(next_fields, end) - 1e-9 * end)
-    {
-      write_fields(sample, rate);
-      next_fields += parameters.output.field_interval;
-    }
+    fields.remove_after(get_block_name(suffix), time);
+    if (time < 0.)
+      run_on_root(communicator,
+                  [&]() { std::filesystem::remove(folder.path(get_table_name(suffix))); });
   }
 
-  void PotentialOutput::write_row(const MotionSample &sample, const double rate)
+  void PotentialOutput::write(const MotionSample &sample, const double rate, const double distance)
+  {
+    if (counters.n_rows % parameters.output.statistics_interval == 0)
+      write_row(sample, rate, distance);
+    ++counters.n_rows;
+    const double end      = parameters.time.end_time;
+    const auto   has_come = [&](const double time) { return sample.time >= time - 1e-9 * end; };
+    const bool   are_due  = has_come(counters.next_fields);
+    if (are_due || has_come(end))
+      write_fields(sample, rate);
+    if (are_due)
+      counters.next_fields += parameters.output.field_interval;
+  }
+
+  void PotentialOutput::write_row(const MotionSample &sample, const double rate,
+                                  const double distance)
   {
     const auto set        = [this](const std::string &quantity, const std::string &unit,
                             const double value) { statistics.set(quantity, unit, value); };
@@ -98,7 +125,7 @@ namespace caudal
     for (unsigned int i = 0; i < 4; ++i)
       set("quaternion " + std::to_string(i), "1", sample.body.quaternion[i]);
     set_vector("centre of mass", "m", sample.centre);
-    set("distance", "m", (sample.centre - first_centre).norm());
+    set("distance", "m", distance);
     set_vector("velocity of centre of mass", "m/s", sample.centre_velocity);
     set("speed", "m/s", sample.centre_velocity.norm());
     set_vector("angular velocity in body frame", "rad/s", get_part(sample.velocity, 0));
@@ -174,6 +201,6 @@ namespace caudal
                                  3, DataComponentInterpretation::component_is_part_of_vector));
     data_out.build_patches(mapping, std::max(2u, parameters.output.n_subdivisions),
                            DataOut<2, 3>::curved_inner_cells);
-    fields.write(data_out, name, sample.time, n_fields++, MPI_COMM_SELF);
+    fields.write(data_out, name, sample.time, counters.n_fields++, MPI_COMM_SELF);
   }
 } // namespace caudal

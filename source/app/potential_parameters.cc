@@ -85,6 +85,17 @@ namespace caudal
     return linear_impulse == zero && angular_impulse == zero;
   }
 
+  potential::Screw PotentialBodyParameters::get_impulse() const
+  {
+    potential::Screw impulse;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      impulse[d]     = angular_impulse[d];
+      impulse[3 + d] = linear_impulse[d];
+    }
+    return impulse;
+  }
+
   void IntegrationParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Integration");
@@ -130,6 +141,7 @@ namespace caudal
     integration.add_parameters(prm);
     resistance.add_parameters(prm);
     output.add_parameters(prm);
+    checkpoint.add_parameters(prm);
   }
 
   void PotentialParameters::check() const
@@ -143,6 +155,7 @@ namespace caudal
     integration.check();
     resistance.check();
     output.check();
+    checkpoint.check();
   }
 
   potential::Densities PotentialParameters::get_densities() const

@@ -1,5 +1,6 @@
-#include <caudal/app/potential_output.h>
+#include <caudal/app/potential_swim.h>
 #include <caudal/app/potential_swimmer.h>
+#include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
 #include <caudal/potential/phase_table.h>
@@ -7,7 +8,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <iomanip>
+#include <filesystem>
 #include <iostream>
 
 namespace caudal
@@ -16,10 +17,6 @@ namespace caudal
 
   namespace
   {
-    /** Ends the integration when the user asks for it. */
-    struct StopRequest
-    {};
-
     const unsigned int n_phases_of_averages = 720;
 
     /** "0.64Hz" */
@@ -28,37 +25,6 @@ namespace caudal
       std::ostringstream text;
       text << frequency << "Hz";
       return text.str();
-    }
-
-    /** The times of output and the ends of the strokes. */
-    struct Instants
-    {
-      std::vector<double> times;
-      std::vector<bool>   is_output, ends_stroke;
-    };
-
-    Instants merge_times(const std::vector<double> &output, const double period)
-    {
-      std::map<double, std::pair<bool, bool>> all;
-      for (const double time : output)
-        all[time].first = true;
-      const double end = output.back(), tolerance = 1e-9 * end;
-      for (unsigned int k = 0; period > 0. && k * period < end + tolerance; ++k)
-      {
-        // Times that differ by rounding are one.
-        auto near = all.lower_bound(k * period - tolerance);
-        if (near == all.end() || near->first > k * period + tolerance)
-          near = all.insert({k * period, {false, false}}).first;
-        near->second.second = true;
-      }
-      Instants instants;
-      for (const auto &[time, flags] : all)
-      {
-        instants.times.push_back(time);
-        instants.is_output.push_back(flags.first);
-        instants.ends_stroke.push_back(flags.second);
-      }
-      return instants;
     }
 
     /** Replaces the file's contents. */
@@ -79,6 +45,7 @@ namespace caudal
       , gait(create_gait(parameters.gait))
       , shape(create_shape(parameters.shape, surface))
       , deformation(gait->create_deformation(surface, *shape))
+      , checkpoints(parameters.checkpoint, communicator)
   {
     check_shape();
     swimming_shape =
@@ -114,6 +81,11 @@ namespace caudal
     return parameters.integration.method == "table" && gait->is_periodic();
   }
 
+  bool PotentialSwimmer::is_periodic() const
+  {
+    return gait->is_periodic() && deformation->n_modes() > 0;
+  }
+
   bool PotentialSwimmer::is_from_rest() const
   {
     return parameters.body.is_from_rest() && !parameters.resistance.active &&
@@ -128,6 +100,22 @@ namespace caudal
   Torques PotentialSwimmer::get_torques() const
   {
     return !has_torques() ? Torques::none : is_from_rest() ? Torques::from_rest : Torques::any;
+  }
+
+  void PotentialSwimmer::check(std::ostream &out, bool /*fast*/) const
+  {
+    print_summary(out);
+    out << "Nothing speaks against a run.\n";
+  }
+
+  void PotentialSwimmer::set_parameter_values(const ParameterValues &values)
+  {
+    state.parameters = values;
+  }
+
+  void PotentialSwimmer::resume_from(PotentialState resumed)
+  {
+    state = std::move(resumed);
   }
 
   void PotentialSwimmer::print_summary(std::ostream &out) const
@@ -196,104 +184,36 @@ namespace caudal
     return problem;
   }
 
-  SwimSummary PotentialSwimmer::make_summary(const double frequency) const
+  std::string PotentialSwimmer::get_suffix(const double frequency) const
+  {
+    return gait->get_frequencies().size() > 1 ? "_" + print_frequency(frequency) : "";
+  }
+
+  SwimSummary PotentialSwimmer::make_summary(const double frequency, const SwimState &swim) const
   {
     SwimSummary summary;
-    summary.frequency   = frequency;
+    summary.frequency   = is_periodic() ? frequency : 0.;
+    summary.duration    = swim.last.time;
     summary.length      = deformation->get_length();
     summary.has_torques = has_torques();
     summary.mass        = deformation->compute_body_mass(gait->evaluate(0.).c)(3, 3) *
                    parameters.get_densities().body;
+    summary.distance = swim.get_distance();
+    summary.energy   = swim.energy;
+    swim.strokes.fill(summary);
     return summary;
   }
 
-  SwimSummary PotentialSwimmer::swim(StrokeModel &model, const double frequency,
-                                     const std::string &suffix, const OutputFolder &folder,
-                                     FieldOutput &fields, Log &log,
-                                     const std::function<bool()> &stop_requested)
+  void PotentialSwimmer::write_summaries(StrokeModel &model, const OutputFolder &folder, Log &log)
   {
-    const bool     is_periodic = gait->is_periodic() && deformation->n_modes() > 0;
-    const double   rate        = gait->is_periodic() ? 2. * numbers::PI * frequency : 1.;
-    const Instants instants =
-        merge_times(parameters.time.get_times(), is_periodic ? 1. / frequency : 0.);
-
-    const MotionProblem problem = make_problem(model, rate);
-    BodyState           start;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      start.impulse[d]     = parameters.body.angular_impulse[d];
-      start.impulse[3 + d] = parameters.body.linear_impulse[d];
-    }
-    SwimSummary summary = make_summary(is_periodic ? frequency : 0.);
-
-    PotentialOutput output(parameters, *swimming_shape, model, folder, fields, suffix,
-                           communicator);
-    StrokeCounter   strokes;
-    MotionSample    previous;
-    Tensor<1, 3>    first_centre;
-    unsigned int    k = 0;
-    Progress   progress(is_terminal() ? std::cout : log.get_stream(), 0., instants.times.back(),
-                      is_terminal());
-    const bool shows_progress =
-        !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
-    integrate_motion(problem, start, instants.times, [&](const BodyState &body, const double) {
-      const double       time   = instants.times[k];
-      const MotionSample sample = compute_sample(problem, body, time, summary.has_torques);
-      if (k == 0)
-        first_centre = sample.centre;
-      else
-      {
-        summary.energy.add(previous, 0.5 * (time - previous.time));
-        summary.energy.add(sample, 0.5 * (time - previous.time));
-      }
-      if (instants.is_output[k])
-        output.write(sample, rate);
-      if (instants.ends_stroke[k])
-        strokes.add(sample);
-      summary.duration = time;
-      summary.distance = (sample.centre - first_centre).norm();
-      previous         = sample;
-      ++k;
-      if (shows_progress)
-        progress.update(time, k);
-      if (stop_requested())
-        throw StopRequest();
-    });
-    if (shows_progress)
-      progress.finish();
-    strokes.fill(summary);
-    return summary;
-  }
-
-  Outcome PotentialSwimmer::run(const OutputFolder &folder, Log &log,
-                                const std::function<bool()> &stop_requested)
-  {
-    Timer timer;
-    print_summary(log.get_stream());
-    const double             increment   = gait->is_periodic()
-                                               ? 1e-3
-                                               : 0.1 * std::min(parameters.time.step, parameters.time.first_step);
-    const auto               model       = create_model(increment, log);
-    const auto               frequencies = gait->get_frequencies();
-    FieldOutput              fields(folder.path(), parameters.output.get_format(), communicator);
     std::vector<SwimSummary> summaries;
-    const bool               repeats = uses_table() && is_from_rest(); // each stroke is the same
-    const EnergyAverages     stroke =
-        repeats ? average_stroke(*model, n_phases_of_averages, has_torques()) : EnergyAverages();
-    try
+    for (std::size_t k = 0; k < state.swims.size(); ++k)
+      summaries.push_back(make_summary(gait->get_frequencies()[k], state.swims[k]));
+    if (uses_table() && is_from_rest()) // each stroke is the same
     {
-      for (const double frequency : frequencies)
-      {
-        const std::string suffix = frequencies.size() > 1 ? "_" + print_frequency(frequency) : "";
-        summaries.push_back(swim(*model, frequency, suffix, folder, fields, log, stop_requested));
-        if (repeats)
-          summaries.back().energy = stroke.at_rate(2. * numbers::PI * frequency);
-      }
-    }
-    catch (const StopRequest &)
-    {
-      log << "Stopped on request; there is no summary." << std::endl;
-      return Outcome::stopped;
+      const EnergyAverages stroke = average_stroke(model, n_phases_of_averages, has_torques());
+      for (SwimSummary &summary : summaries)
+        summary.energy = stroke.at_rate(2. * numbers::PI * summary.frequency);
     }
     run_on_root(communicator, [&]() {
       std::ostringstream text, table, json;
@@ -305,7 +225,91 @@ namespace caudal
       write_text(folder.path("summary.json"), json.str());
       log << "\n" << text.str();
     });
+  }
+
+  void PotentialSwimmer::write_checkpoint()
+  {
+    if (!checkpoints.has_written(state.step_number))
+      checkpoints.write(pack(state), state.step_number, state.time);
+  }
+
+  /** Tables of swims that have begun are cut off where these go on. */
+  void PotentialSwimmer::remove_later_results(const OutputFolder &folder, FieldOutput &fields) const
+  {
+    run_on_root(communicator, [&]() {
+      for (const char *const ending : {"txt", "csv", "json"})
+        std::filesystem::remove(folder.path(std::string("summary.") + ending));
+    });
+    const std::vector<double> frequencies = gait->get_frequencies();
+    for (std::size_t k = 0; k < frequencies.size(); ++k)
+      PotentialOutput::remove_after(k < state.swims.size() ? state.swims[k].last.time : -1., folder,
+                                    fields, get_suffix(frequencies[k]), communicator);
+  }
+
+  bool PotentialSwimmer::swim(StrokeModel &model, const double frequency, SwimState &swim_state,
+                              const OutputFolder &folder, FieldOutput &fields, Log &log,
+                              const std::function<bool()> &stop_requested)
+  {
+    const double        rate = gait->is_periodic() ? 2. * numbers::PI * frequency : 1.;
+    const Instants      instants(parameters.time.get_times(), is_periodic() ? 1. / frequency : 0.);
+    const MotionProblem problem = make_problem(model, rate);
+    PotentialOutput     output(parameters, *swimming_shape, model, folder, fields,
+                               get_suffix(frequency), swim_state.output,
+                           swim_state.has_begun() ? swim_state.last.time : -1., communicator);
+    PotentialSwim       swim(problem, instants, has_torques(), output, swim_state);
+    if (!swim_state.has_begun())
+      swim.start(parameters.body.get_impulse());
+
+    Progress   progress(is_terminal() ? std::cout : log.get_stream(), swim_state.last.time,
+                      instants.times.back(), is_terminal());
+    const bool shows_progress =
+        !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
+    while (!swim.is_at_end() && !stop_requested() && !checkpoints.is_out_of_time())
+    {
+      swim.advance();
+      state.time = swim_state.last.time;
+      ++state.step_number;
+      if (shows_progress)
+        progress.update(state.time, state.step_number);
+      if (checkpoints.is_due(state.step_number))
+        write_checkpoint();
+    }
+    if (shows_progress)
+      progress.finish();
+    return swim.is_at_end();
+  }
+
+  Outcome PotentialSwimmer::run(const OutputFolder &folder, Log &log,
+                                const std::function<bool()> &stop_requested)
+  {
+    Timer timer;
+    print_summary(log.get_stream());
+    const double increment   = gait->is_periodic()
+                                   ? 1e-3
+                                   : 0.1 * std::min(parameters.time.step, parameters.time.first_step);
+    const auto   model       = create_model(increment, log);
+    const auto   frequencies = gait->get_frequencies();
+    const bool   is_resumed  = !state.swims.empty();
+    FieldOutput  fields(folder.path(), parameters.output.get_format(), communicator,
+                       is_resumed ? std::numeric_limits<double>::infinity() : -1.);
+    if (is_resumed)
+      remove_later_results(folder, fields);
+    checkpoints.start(folder.path());
+
+    bool is_at_end = true;
+    for (std::size_t k = 0; k < frequencies.size() && is_at_end; ++k)
+    {
+      if (k == state.swims.size())
+        state.swims.emplace_back();
+      is_at_end = swim(*model, frequencies[k], state.swims[k], folder, fields, log, stop_requested);
+    }
+    write_checkpoint();
+    if (is_at_end)
+      write_summaries(*model, folder, log);
+    else
+      log << describe_stop(stop_requested(), state.time, state.step_number, folder.path())
+          << std::endl;
     log << "CPU of rank 0: " << timer.cpu_time() << " s." << std::endl;
-    return Outcome::finished;
+    return is_at_end ? Outcome::finished : Outcome::stopped;
   }
 } // namespace caudal

@@ -7,12 +7,6 @@ namespace caudal
 {
   namespace
   {
-    /** What grids, unknowns, columns of the tables or the kind of state depend on. */
-    const std::regex fixed_entries("Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Probes|"
-                                   "Fluid/Control volume|Fluid/Exact solution|Output/Format|"
-                                   "Body [^/]*/(Regions|Polynomial degree|Monitored points|"
-                                   "Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)");
-
     std::string get_value(const ParameterValues &values, const std::string &path)
     {
       const auto found = values.find(path);
@@ -21,9 +15,10 @@ namespace caudal
   } // namespace
 
   std::vector<std::string> compare_parameters(const ParameterValues &before,
-                                              const ParameterValues &now)
+                                              const ParameterValues &now, const std::string &fixed)
   {
-    ParameterValues all = now;
+    const std::regex fixed_entries(fixed);
+    ParameterValues  all = now;
     all.insert(before.begin(), before.end());
     all.erase("Output/Folder"); // it may have been moved
 
@@ -41,10 +36,11 @@ namespace caudal
     std::string list;
     for (const std::string &change : refused)
       list += "\n  " + change;
-    AssertThrow(refused.empty(),
-                ExcMessage("A run can't be resumed with another grid, other bodies or another "
-                           "scheme. Leave these as they were, or start a new run:" +
-                           list));
+    AssertThrow(
+        refused.empty(),
+        ExcMessage("A run can't be resumed with another grid, other bodies, other gaits or another "
+                   "scheme. Leave these as they were, or start a new run:" +
+                   list));
     return changes;
   }
 } // namespace caudal

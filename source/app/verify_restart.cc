@@ -1,11 +1,16 @@
-#include <caudal/app/immersed_run.h>
+#include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/model_run.h>
+#include <caudal/app/potential_swimmer.h>
 #include <caudal/app/verify_restart.h>
+#include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/safe_file.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace caudal
 {
@@ -17,9 +22,10 @@ namespace caudal
       return [n_steps, n = 0u]() mutable { return n++ >= n_steps; };
     }
 
-    RunState read_last_state(const std::string &folder, const MPI_Comm communicator)
+    template <class State>
+    State read_last_state(const std::string &folder, const MPI_Comm communicator)
     {
-      RunState state;
+      State state;
       unpack(CheckpointFolder(folder, 1, communicator).read_newest().data, state);
       return state;
     }
@@ -52,6 +58,20 @@ namespace caudal
         differences << " energies, tail beats or counters of the output;";
       return differences.str();
     }
+
+    std::string compare_states(const PotentialState &whole, const PotentialState &resumed)
+    {
+      std::ostringstream differences;
+      if (whole.step_number != resumed.step_number)
+        differences << " the numbers of steps, " << whole.step_number << " and "
+                    << resumed.step_number << ";";
+      if (whole.time != resumed.time)
+        differences << " the times;";
+      if (pack(whole.swims) != pack(resumed.swims))
+        differences << " motion, energies, strokes or counters of the output;";
+      return differences.str();
+    }
+
     /** The largest difference of velocities, relative to the largest; infinite on other grids. */
     template <int dim>
     double compare_velocities(const FluidSnapshot &a, const FluidSnapshot &b)
@@ -82,67 +102,136 @@ namespace caudal
       return difference / std::max(largest, std::numeric_limits<double>::min());
     }
 
+    /** The names of the tables and lists that are not the same in both folders. */
+    std::string compare_files(const std::string &whole, const std::string &resumed)
+    {
+      namespace fs = std::filesystem;
+      std::set<std::string> names;
+      for (const std::string &folder : {whole, resumed})
+        for (const auto &entry : fs::directory_iterator(folder))
+          if (entry.is_regular_file())
+            names.insert(entry.path().filename().string());
+      names.erase("log.txt");
+      std::string differences;
+      for (const std::string &name : names)
+      {
+        const fs::path a = fs::path(whole) / name, b = fs::path(resumed) / name;
+        if (!fs::exists(a) || !fs::exists(b) || read_whole_file(a) != read_whole_file(b))
+          differences += " " + name + ";";
+      }
+      return differences;
+    }
+
     std::string print(const double value)
     {
       std::ostringstream text;
       text << value;
       return text.str();
     }
+
+    /** The folder of one of the runs. */
+    std::string get_folder(const std::string &base, const std::string &run)
+    {
+      return base + ".verify/" + run;
+    }
+
+    /** What the whole run has come to, and what differs from it in the resumed one. */
+    template <class State>
+    struct Comparison
+    {
+      State       state;
+      std::string differences;
+    };
+
+    /** Runs all steps; half of them and, resumed, the other half. */
+    template <class Swimmer>
+    Comparison<typename Swimmer::State>
+    compare_halves(ModelRun<Swimmer> &run, const std::string &base, const unsigned int n_steps,
+                   const MPI_Comm communicator)
+    {
+      using State                                  = typename Swimmer::State;
+      const std::string whole                      = get_folder(base, "whole");
+      const std::string resumed                    = get_folder(base, "resumed");
+      run.parameters.checkpoint.step_interval      = n_steps / 2;
+      run.parameters.checkpoint.wall_time_interval = 0;
+      run.parameters.checkpoint.wall_time_limit    = 0;
+
+      run.parameters.output.folder = whole;
+      run.start(stop_after(n_steps));
+      run.parameters.output.folder = resumed;
+      const Outcome half           = run.start(stop_after(n_steps / 2));
+      AssertThrow(half == Outcome::stopped,
+                  ExcMessage("Time/End time: the case ends within " + std::to_string(n_steps / 2) +
+                             " steps, before there is anything to resume. Give a later time."));
+      run.resume(stop_after(n_steps / 2));
+
+      Comparison<State> result{read_last_state<State>(whole, communicator), ""};
+      result.differences =
+          compare_states(result.state, read_last_state<State>(resumed, communicator));
+      std::string files;
+      run_on_root(communicator, [&]() { files = compare_files(whole, resumed); });
+      result.differences += Utilities::MPI::broadcast(communicator, files);
+      return result;
+    }
+
+    void check_equality(const std::string &differences, const std::string &base)
+    {
+      AssertThrow(
+          differences.empty(),
+          ExcMessage("The resumed run is not the one that was not interrupted. They differ in" +
+                     differences + " see <" + get_folder(base, "whole") + "> and <" +
+                     get_folder(base, "resumed") + ">."));
+    }
+
+    template <int dim>
+    std::string verify(ModelRun<ImmersedSwimmer<dim>> &run, const std::string &base,
+                       const unsigned int n_steps, const MPI_Comm communicator)
+    {
+      run.parameters.solver.reproducible = true;
+      auto [state, differences]          = compare_halves(run, base, n_steps, communicator);
+
+      // What a checkpoint loses, both of these runs have lost; this one has not.
+      run.parameters.checkpoint.step_interval = 0;
+      run.parameters.output.folder            = get_folder(base, "alone");
+      run.start(stop_after(n_steps));
+      const RunState alone  = read_last_state<RunState>(run.parameters.output.folder, communicator);
+      const double   change = compare_velocities<dim>(state.fluid, alone.fluid);
+      const double   allowed = 100 * n_steps * run.parameters.solver.tolerance;
+      if (!(change < allowed))
+        differences += " without a checkpoint the velocities are other ones, by " + print(change) +
+                       " of the largest;";
+      check_equality(differences, base);
+      return std::to_string(state.step_number) + " steps, and half of them resumed for the rest: " +
+             std::to_string(state.fluid.values.size()) +
+             " values of the fluid, all bodies, tables and the list of fields are equal, bit by "
+             "bit. Without a checkpoint velocities differ by less than " +
+             print(allowed) + " of the largest.";
+    }
+
+    std::string verify(ModelRun<PotentialSwimmer> &run, const std::string &base,
+                       const unsigned int n_steps, const MPI_Comm communicator)
+    {
+      const auto [state, differences] = compare_halves(run, base, n_steps, communicator);
+      check_equality(differences, base);
+      return std::to_string(state.step_number) +
+             " steps, and half of them resumed for the rest: impulses, place, energies, tables "
+             "and the list of fields are equal, bit by bit.";
+    }
   } // namespace
 
-  template <int dim>
+  template <class Swimmer>
   std::string verify_restart(const ParameterFile &file, const unsigned int n_steps,
                              MPI_Comm communicator)
   {
-    ImmersedRun<dim>  run(file, communicator);
-    const std::string base  = run.parameters.output.folder + ".verify";
-    const std::string whole = base + "/whole", resumed = base + "/resumed", alone = base + "/alone";
-    run.parameters.checkpoint.step_interval      = n_steps / 2;
-    run.parameters.checkpoint.wall_time_interval = 0;
-    run.parameters.checkpoint.wall_time_limit    = 0;
-    run.parameters.solver.reproducible           = true;
-
-    run.parameters.output.folder = whole;
-    run.start(stop_after(n_steps));
-    run.parameters.output.folder = resumed;
-    const Outcome half           = run.start(stop_after(n_steps / 2));
-    AssertThrow(half == Outcome::stopped,
-                ExcMessage("Time/End time: the case ends within " + std::to_string(n_steps / 2) +
-                           " steps, before there is anything to resume. Give a later time."));
-    run.resume(stop_after(n_steps / 2));
-
-    const RunState whole_state = read_last_state(whole, communicator);
-    std::string differences = compare_states(whole_state, read_last_state(resumed, communicator));
-    run_on_root(communicator, [&]() {
-      for (const char *const name : {"/statistics.txt", "/solution.pvd", "/solution.xdmf"})
-        if (std::filesystem::exists(whole + name) &&
-            read_whole_file(whole + name) != read_whole_file(resumed + name))
-          differences += " " + std::string(name + 1) + ";";
-    });
-    differences = Utilities::MPI::broadcast(communicator, differences);
-
-    // What a checkpoint loses, both of these runs have lost; this one has not.
-    run.parameters.checkpoint.step_interval = 0;
-    run.parameters.output.folder            = alone;
-    run.start(stop_after(n_steps));
-    const double change =
-        compare_velocities<dim>(whole_state.fluid, read_last_state(alone, communicator).fluid);
-    const double allowed = 100 * n_steps * run.parameters.solver.tolerance;
-    if (!(change < allowed))
-      differences += " without a checkpoint the velocities are other ones, by " + print(change) +
-                     " of the largest;";
-    AssertThrow(
-        differences.empty(),
-        ExcMessage("The resumed run is not the one that was not interrupted. They differ in" +
-                   differences + " see <" + whole + "> and <" + resumed + ">."));
-    return std::to_string(whole_state.step_number) +
-           " steps, and half of them resumed for the rest: " +
-           std::to_string(whole_state.fluid.values.size()) +
-           " values of the fluid, all bodies, statistics.txt and the list of fields are equal, bit "
-           "by bit. Without a checkpoint velocities differ by less than " +
-           print(allowed) + " of the largest.";
+    ModelRun<Swimmer> run(file, communicator);
+    const std::string base = run.parameters.output.folder;
+    return verify(run, base, n_steps, communicator);
   }
 
-  template std::string verify_restart<2>(const ParameterFile &, unsigned int, MPI_Comm);
-  template std::string verify_restart<3>(const ParameterFile &, unsigned int, MPI_Comm);
+  template std::string verify_restart<ImmersedSwimmer<2>>(const ParameterFile &, unsigned int,
+                                                          MPI_Comm);
+  template std::string verify_restart<ImmersedSwimmer<3>>(const ParameterFile &, unsigned int,
+                                                          MPI_Comm);
+  template std::string verify_restart<PotentialSwimmer>(const ParameterFile &, unsigned int,
+                                                        MPI_Comm);
 } // namespace caudal

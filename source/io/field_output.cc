@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 using namespace dealii;
@@ -19,6 +20,22 @@ namespace caudal
     // stands a comment with its time and name, so that no parser is needed.
     const std::string entry_begins = "<!-- entry ";
     const std::string entry_ends   = "<!-- end -->";
+    const int         n_digits     = 12;
+
+    /** The time as it is read back from the list: fields of a resumed run join those before. */
+    double round_to_list(const double time)
+    {
+      std::ostringstream text;
+      text.precision(n_digits);
+      text << time;
+      return std::stod(text.str());
+    }
+
+    /** A time in the list counts as one up to @p latest even if its digits round it up. */
+    bool is_up_to(const double time, const double latest)
+    {
+      return time <= latest + 1e-9 * std::abs(latest);
+    }
 
     /**
      * Puts the pieces of all ranks into the frame of rank 0's. MPI's own parallel output
@@ -60,7 +77,7 @@ namespace caudal
       run_on_root(communicator, [&]() { write_whole_file(folder + "/" + file, all); });
 
       std::ostringstream entry;
-      entry.precision(12);
+      entry.precision(n_digits);
       entry << "<DataSet timestep=\"" << time << "\" name=\"" << name << "\" file=\"" << file
             << "\"/>\n";
       return entry.str();
@@ -134,6 +151,19 @@ namespace caudal
     });
   }
 
+  void FieldOutput::remove_after(const std::string &name, const double time)
+  {
+    run_on_root(communicator, [&]() {
+      for (auto entries = series.begin(); entries != series.end();)
+      {
+        if (!is_up_to(entries->first, time))
+          entries->second.erase(name);
+        entries = entries->second.empty() ? series.erase(entries) : std::next(entries);
+      }
+      write_list();
+    });
+  }
+
   template <int dim, int spacedim>
   void FieldOutput::write(DataOutInterface<dim, spacedim> &data_out, const std::string &name,
                           const double time, const unsigned int counter,
@@ -165,7 +195,7 @@ namespace caudal
     }
 
     run_on_root(communicator, [&]() {
-      series[time][name] = entry;
+      series[round_to_list(time)][name] = entry;
       write_list();
     });
   }
@@ -187,7 +217,7 @@ namespace caudal
         double             time;
         std::string        name;
         words >> time >> name;
-        entry = time <= latest_time + 1e-9 * std::abs(latest_time) ? &series[time][name] : nullptr;
+        entry = is_up_to(time, latest_time) ? &series[time][name] : nullptr;
       }
       else if (line == entry_ends)
         entry = nullptr;
@@ -200,7 +230,7 @@ namespace caudal
   {
     const std::string temporary = get_list_name() + ".tmp";
     std::ofstream     out(temporary);
-    out.precision(12);
+    out.precision(n_digits);
     const bool is_vtu = format == FieldFormat::vtu;
     out << "<?xml version=\"1.0\"?>\n"
         << (is_vtu

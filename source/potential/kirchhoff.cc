@@ -103,48 +103,37 @@ namespace caudal::potential
     return rotate_by(boost::math::conj(normalise(quaternion)), V);
   }
 
-  void integrate_motion(const MotionProblem &problem, const BodyState &start,
-                        const std::vector<double>                            &times,
-                        const std::function<void(const BodyState &, double)> &observe)
+  BodyState advance_motion(const MotionProblem &problem, const BodyState &body, const double time,
+                           const double end)
   {
-    OdeState   state  = pack(start, problem.length);
-    const auto system = [&](const OdeState &x, OdeState &rate, const double time) {
-      rate = compute_derivative(problem, x, time);
+    OdeState   state  = pack(body, problem.length);
+    const auto system = [&](const OdeState &x, OdeState &rate, const double t) {
+      rate = compute_derivative(problem, x, t);
     };
-    const auto observer = [&](const OdeState &x, const double time) {
-      for (const double value : x)
-        AssertThrow(std::isfinite(value),
-                    ExcMessage("The motion is not finite at the time " + std::to_string(time) +
-                               " s. Reduce Integration/Tolerance, or the steps of the output."));
-      observe(unpack(x, problem.length), time);
-    };
-
     if (problem.integrator == Integrator::given_steps)
-    {
-      odeint::runge_kutta4<OdeState> stepper;
-      observer(state, times[0]);
-      for (std::size_t k = 1; k < times.size(); ++k)
+      odeint::runge_kutta4<OdeState>().do_step(system, state, time, end - time);
+    else
+      try
       {
-        stepper.do_step(system, state, times[k - 1], times[k] - times[k - 1]);
-        observer(state, times[k]);
+        // The shape has to be seen often enough in each stroke for its error estimate.
+        const double                largest_step = 0.5 / problem.rate;
+        const std::array<double, 2> times        = {{time, end}};
+        odeint::integrate_times(odeint::make_controlled(problem.tolerance, problem.tolerance,
+                                                        largest_step,
+                                                        odeint::runge_kutta_dopri5<OdeState>()),
+                                system, state, times.begin(), times.end(), largest_step,
+                                odeint::null_observer(), odeint::max_step_checker(1000000));
       }
-      return;
-    }
-    try
-    {
-      // The shape has to be seen often enough in each stroke for its error estimate.
-      const double largest_step = 0.5 / problem.rate;
-      odeint::integrate_times(odeint::make_controlled(problem.tolerance, problem.tolerance,
-                                                      largest_step,
-                                                      odeint::runge_kutta_dopri5<OdeState>()),
-                              system, state, times.begin(), times.end(), largest_step, observer,
-                              odeint::max_step_checker(1000000));
-    }
-    catch (const odeint::odeint_error &error)
-    {
-      AssertThrow(false,
-                  ExcMessage(std::string("The equations of motion can't be integrated: ") +
-                             error.what() + ". Give a larger value for Integration/Tolerance."));
-    }
+      catch (const odeint::odeint_error &error)
+      {
+        AssertThrow(false,
+                    ExcMessage(std::string("The equations of motion can't be integrated: ") +
+                               error.what() + ". Give a larger value for Integration/Tolerance."));
+      }
+    for (const double value : state)
+      AssertThrow(std::isfinite(value),
+                  ExcMessage("The motion is not finite at the time " + std::to_string(end) +
+                             " s. Reduce Integration/Tolerance, or the steps of the output."));
+    return unpack(state, problem.length);
   }
 } // namespace caudal::potential

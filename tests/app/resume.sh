@@ -3,6 +3,7 @@
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 
 write_fluid_and_disc
+write_salmon
 
 echo "* stopped by the wall time, by a signal, and resumed"
 "$CAUDAL" disc.prm -D "Checkpoint/Interval of steps=5" >printed 2>errors || cat errors
@@ -52,3 +53,49 @@ refuse_resume results disc.prm
 rm -r results/restart/step-00000020
 for slot in results/restart/*; do echo damaged >"$slot/manifest"; done
 refuse_resume results
+
+echo "* the salmon, in the second swim, in the first one, and beyond its end"
+# swim FOLDER OPTIONS: with all checkpoints.
+swim() {
+  folder=$1
+  shift
+  caudal salmon.prm -D "Output/Folder=$folder" -D "Checkpoint/Interval of steps=1" \
+    -D "Checkpoint/Slots=20" "$@"
+}
+# compare FOLDER: with the whole run.
+compare() {
+  for file in statistics_2.5Hz.txt statistics_5Hz.txt summary.txt summary.csv summary.json solution.pvd; do
+    cmp "$1/$file" "whole/$file" || return
+  done
+  echo "the same tables, summary and fields"
+}
+swim whole
+ls whole/restart
+for last in 5 2; do
+  rm -rf salmon
+  cp -r whole salmon
+  for slot in salmon/restart/*; do [ "${slot#*step-}" -le 0000000$last ] || rm -r "$slot"; done
+  "$CAUDAL" --resume salmon >printed 2>errors || cat errors
+  grep -h "Resumed" printed
+  compare salmon
+done
+swim longer -D "Time/End time=0.8"
+caudal --resume salmon -D "Time/End time=0.8"
+for file in statistics_2.5Hz.txt statistics_5Hz.txt summary.csv; do
+  cmp salmon/$file longer/$file && echo "the same $file as of a run that was planned longer"
+done
+
+echo "* the salmon, stopped by the wall time, by a signal, and resumed"
+"$CAUDAL" salmon.prm -D "Output/Folder=salmon" -D "Checkpoint/Wall time limit=1e-9" >printed 2>errors
+echo "exit code $?, $(grep -o 'Stopped by Checkpoint/Wall time limit' printed)"
+ls salmon/restart salmon | grep "step\|summary"
+"$CAUDAL" --resume salmon -D "Checkpoint/Wall time limit=0" >printed 2>errors || cat errors
+compare salmon
+rm -r salmon
+"$CAUDAL" salmon.prm -D "Output/Folder=salmon" -D "Time/End time=1e5" -D "Checkpoint/Interval of steps=10" >printed 2>errors &
+run=$!
+while ! [ -e salmon/restart ]; do sleep 0.1; done
+kill -TERM $run
+wait $run
+echo "exit code $?, $(grep -o 'Stopped on request' printed)"
+refuse_resume salmon -D "Gait/Frequency=3" -D "Surface/Cells along=3" -D "Integration/Tolerance=1e-8"

@@ -2,6 +2,7 @@
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 
 write_fluid_and_disc
+write_salmon
 
 cat >fish.prm <<EOF
 include $CAUDAL_SOURCE_DIR/prm/fish.prm
@@ -91,3 +92,5 @@ verify "an elastic disc in a flow" disc.prm
 verify "the fish" fish.prm
 verify "a school" school.prm
 
+verify "the salmon" salmon.prm -D "Body/Linear impulse=0, 0, 0" -D "Integration/Torques=true"
+verify "the salmon, brute force" salmon.prm -D "Integration/Method=brute force" -D "Resistance/Active=true"

@@ -21,6 +21,19 @@ std::string below(const double value, const double limit)
   return value < limit ? "ok" : "bad (" + Patterns::Tools::to_string(value) + ")";
 }
 
+// Calls observe at each of the times, the first of which is that of the start.
+template <class Observe>
+void integrate_motion(const MotionProblem &problem, BodyState body,
+                      const std::vector<double> &times, const Observe &observe)
+{
+  observe(body, times[0]);
+  for (std::size_t k = 1; k < times.size(); ++k)
+  {
+    body = advance_motion(problem, body, times[k - 1], times[k]);
+    observe(body, times[k]);
+  }
+}
+
 // A body with its gait, and the table of its stroke.
 struct Swimmer
 {

@@ -4,6 +4,7 @@
 #include <caudal/app/grid_adaptation.h>
 #include <caudal/app/run_output.h>
 #include <caudal/app/run_state.h>
+#include <caudal/io/checkpoint_writer.h>
 
 namespace caudal
 {
@@ -37,9 +38,10 @@ namespace caudal
     /** Brings fluid, bodies, stepper and output to the @p state. */
     void restore(const RunState &state);
 
-    unsigned int get_number() const
+    /** Whether the run has used up its wall time. Collective. */
+    bool is_out_of_time() const
     {
-      return n_written;
+      return writer.is_out_of_time();
     }
 
   private:
@@ -49,12 +51,10 @@ namespace caudal
     GridAdaptation<dim>                       &adaptation;
     ImmersedSystem<dim>                        system;
     MPI_Comm                                   communicator;
-    std::unique_ptr<CheckpointFolder>          folder;
+    CheckpointWriter                           writer;
     ParameterValues                            values;
     TimeStepper                               *stepper = nullptr;
     RunOutput<dim>                            *output  = nullptr;
-    Timer                                      clock; // since the last one
-    unsigned int                               n_written = 0, last_step = 0;
 
     RunState take_state() const;
   };

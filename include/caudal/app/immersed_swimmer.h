@@ -18,6 +18,9 @@ namespace caudal
   class ImmersedSwimmer
   {
   public:
+    using Parameters = RunParameters<dim>;
+    using State      = RunState;
+
     /** Sets up grids, fields and bodies at t = 0. */
     ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator);
 
@@ -67,7 +70,6 @@ namespace caudal
     TrialCost        try_steps(unsigned int n_steps);
     StepResult<dim>  advance(TimeStepper &stepper, Log &log);
     void reject(TimeStepper &stepper, FailureKind kind, const std::string &reason, Log &log);
-    bool is_out_of_time() const;
     void write_last_state(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
     void run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
                     const std::function<bool()> &stop_requested);

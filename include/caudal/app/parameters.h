@@ -15,6 +15,15 @@ namespace caudal
   template <int dim>
   struct RunParameters
   {
+    /**
+     * What grids, unknowns, columns of the tables or the kind of state depend on: entries that
+     * can't change in the middle of a run, as a regular expression.
+     */
+    static constexpr const char *fixed_entries =
+        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Probes|Fluid/Control volume|"
+        "Fluid/Exact solution|Output/Format|Body [^/]*/(Regions|Polynomial degree|"
+        "Monitored points|Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)";
+
     std::string  model     = "immersed";
     unsigned int dimension = dim;
     std::string  bodies_text;

@@ -10,6 +10,20 @@
 
 namespace caudal
 {
+  /** What a swim's output has come to. */
+  struct OutputCounters
+  {
+    unsigned int n_rows      = 0; // due, if not written
+    unsigned int n_fields    = 0;
+    double       next_fields = 0.; // [s]
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &n_rows &n_fields &next_fields;
+    }
+  };
+
   /**
    * Writes what happens in the swim at one frequency: a row of statistics.txt for each time,
    * and the surface with pressure, potential and velocity of the fluid as fields.
@@ -17,16 +31,30 @@ namespace caudal
   class PotentialOutput
   {
   public:
-    /** @p suffix distinguishes the files of several frequencies ("_0.64Hz"). Collective. */
+    /**
+     * @p suffix distinguishes the files of several frequencies ("_0.64Hz"). Goes on from the
+     * @p counters and keeps the rows of an earlier run up to @p kept_time [s]. Collective.
+     */
     PotentialOutput(const PotentialParameters &parameters, potential::SwimmingShape &shape,
                     potential::StrokeModel &model, const OutputFolder &folder, FieldOutput &fields,
-                    const std::string &suffix, MPI_Comm communicator);
+                    const std::string &suffix, OutputCounters &counters, double kept_time,
+                    MPI_Comm communicator);
 
-    /** A row, and fields if they are due. @p rate is that of the gait [rad/s]. Collective. */
-    void write(const potential::MotionSample &sample, double rate);
+    /**
+     * A row, and fields if they are due. @p rate is that of the gait [rad/s], @p distance that
+     * of the centre of mass from its start [m]. Collective.
+     */
+    void write(const potential::MotionSample &sample, double rate, double distance);
+
+    /**
+     * Removes what a run that is resumed wrote of a swim after @p time [s]: fields from the list
+     * and, if it is to begin anew (negative), its table. Collective.
+     */
+    static void remove_after(double time, const OutputFolder &folder, FieldOutput &fields,
+                             const std::string &suffix, MPI_Comm communicator);
 
   private:
-    void write_row(const potential::MotionSample &sample, double rate);
+    void write_row(const potential::MotionSample &sample, double rate, double distance);
     void write_fields(const potential::MotionSample &sample, double rate);
 
     const PotentialParameters &parameters;
@@ -36,10 +64,8 @@ namespace caudal
     const MPI_Comm             communicator;
     Statistics                 statistics;
     FieldOutput               &fields;
+    OutputCounters            &counters;
     DoFHandler<2, 3>           place_handler;
-    Tensor<1, 3>               first_centre;
-    unsigned int               n_rows = 0, n_fields = 0;
-    double                     next_fields = 0.; // [s]
   };
 } // namespace caudal
 

@@ -1,6 +1,8 @@
 #ifndef caudal_app_potential_parameters_h
 #define caudal_app_potential_parameters_h
 
+#include <caudal/base/parameter_file.h>
+#include <caudal/io/checkpoint_folder.h>
 #include <caudal/io/field_output.h>
 #include <caudal/potential/gait.h>
 #include <caudal/potential/kirchhoff.h>
@@ -37,6 +39,9 @@ namespace caudal
     void add_parameters(ParameterHandler &prm);
     void check() const;
     bool is_from_rest() const;
+
+    /** (Lambda, Pi) at the start. */
+    potential::Screw get_impulse() const;
   };
 
   /** Section `Integration`. */
@@ -54,6 +59,14 @@ namespace caudal
   /** All parameters of a run of the swimmer in an ideal fluid. */
   struct PotentialParameters
   {
+    /**
+     * What body and motion are, and columns of the tables depend on: entries that can't change
+     * in the middle of a run, as a regular expression.
+     */
+    static constexpr const char *fixed_entries =
+        "Model|Shape/.*|Surface/.*|Gait/.*|Body/.*|Fluid/Density|Integration/Torques|"
+        "Resistance/Active|Output/Format";
+
     std::string                     model         = "potential";
     double                          fluid_density = 1000.;
     OutputSchedule                  time;
@@ -64,6 +77,12 @@ namespace caudal
     IntegrationParameters           integration;
     potential::ResistanceParameters resistance;
     OutputParameters                output;
+    CheckpointParameters            checkpoint;
+
+    PotentialParameters() = default;
+
+    /** Its sections are the same for each file. */
+    explicit PotentialParameters(const ParameterFile *) {}
 
     void declare(ParameterHandler &prm);
     void check() const;

@@ -2,8 +2,8 @@
 #define caudal_app_potential_swimmer_h
 
 #include <caudal/app/outcome.h>
-#include <caudal/app/potential_parameters.h>
-#include <caudal/app/swim_summary.h>
+#include <caudal/app/potential_state.h>
+#include <caudal/io/checkpoint_writer.h>
 #include <caudal/io/log.h>
 #include <caudal/io/output_folder.h>
 #include <caudal/potential/stroke_model.h>
@@ -16,27 +16,44 @@ namespace caudal
   class PotentialSwimmer
   {
   public:
+    using Parameters = PotentialParameters;
+    using State      = PotentialState;
+
     /** Sets up surface, body and gait; refuses what can't work. */
     PotentialSwimmer(const PotentialParameters &parameters, MPI_Comm communicator);
 
-    /** Sizes, and what is likely to surprise. */
-    void print_summary(std::ostream &out) const;
+    /** Says what the case is like, which is always fast. */
+    void check(std::ostream &out, bool fast) const;
 
-    /** Swims at all frequencies, or until @p stop_requested says so. */
+    /** The values of all parameters, which checkpoints keep to be compared. */
+    void set_parameter_values(const ParameterValues &values);
+
+    /** run() is to go on from this state. */
+    void resume_from(PotentialState resumed);
+
+    /** Swims at all frequencies, or until @p stop_requested or the wall time says so. */
     Outcome run(const OutputFolder &folder, Log &log, const std::function<bool()> &stop_requested);
 
   private:
     void                                    check_shape() const;
     bool                                    uses_table() const;
+    bool                                    is_periodic() const;  // and not rigid
     bool                                    is_from_rest() const; // and without external forces
     bool                                    has_torques() const;
     potential::Torques                      get_torques() const;
     std::unique_ptr<potential::StrokeModel> create_model(double increment, Log &log);
     potential::MotionProblem make_problem(potential::StrokeModel &model, double rate) const;
-    SwimSummary              make_summary(double frequency) const;
-    SwimSummary swim(potential::StrokeModel &model, double frequency, const std::string &suffix,
-                     const OutputFolder &folder, FieldOutput &fields, Log &log,
-                     const std::function<bool()> &stop_requested);
+    void        print_summary(std::ostream &out) const; // sizes, and what is likely to surprise
+    std::string get_suffix(double frequency) const;     // of the files of its swim
+    void        remove_later_results(const OutputFolder &folder, FieldOutput &fields) const;
+    SwimSummary make_summary(double frequency, const SwimState &swim) const;
+    void write_summaries(potential::StrokeModel &model, const OutputFolder &folder, Log &log);
+    void write_checkpoint();
+
+    /** Returns whether the swim has come to its end. */
+    bool swim(potential::StrokeModel &model, double frequency, SwimState &swim_state,
+              const OutputFolder &folder, FieldOutput &fields, Log &log,
+              const std::function<bool()> &stop_requested);
 
     const PotentialParameters                    &parameters;
     const MPI_Comm                                communicator;
@@ -45,6 +62,8 @@ namespace caudal
     const std::unique_ptr<potential::Shape>       shape;
     const std::unique_ptr<potential::Deformation> deformation;
     std::unique_ptr<potential::SwimmingShape>     swimming_shape;
+    CheckpointWriter                              checkpoints;
+    PotentialState                                state;
   };
 } // namespace caudal
 

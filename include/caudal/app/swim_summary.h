@@ -58,11 +58,23 @@ namespace caudal
     void add(const potential::MotionSample &sample);
     void fill(SwimSummary &summary) const;
 
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &ends;
+    }
+
   private:
     struct End
     {
       dealii::Tensor<1, 3> centre;
       double               heading; // [rad]
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int /*version*/)
+      {
+        archive &centre &heading;
+      }
     };
 
     std::vector<End> ends;

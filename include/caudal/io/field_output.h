@@ -47,6 +47,9 @@ namespace caudal
     FieldOutput(const std::string &folder, FieldFormat format, MPI_Comm communicator,
                 double resume_time = -1.);
 
+    /** Takes what was written of the block @p name after @p time [s] from the list. Collective. */
+    void remove_after(const std::string &name, double time);
+
     /**
      * Writes one field: @p name is its block's name ("fluid", "fish"), @p time is in s
      * and @p counter numbers the files. @p field_communicator is that of the field's
@@ -69,7 +72,7 @@ namespace caudal
     const FieldFormat format;
     const MPI_Comm    communicator;
 
-    std::map<double, Entries> series; // by time [s]
+    std::map<double, Entries> series; // by time as it is listed [s]
   };
 } // namespace caudal
 

@@ -3,6 +3,8 @@
 
 #include <caudal/potential/stroke_model.h>
 
+#include <boost/serialization/array.hpp>
+
 #include <array>
 #include <functional>
 
@@ -23,6 +25,12 @@ namespace caudal::potential
 
     /** R^T V */
     Tensor<1, 3> rotate_back(const Tensor<1, 3> &V) const;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &impulse &quaternion &position;
+    }
   };
 
   /** The instant for which external forces are asked. */
@@ -52,10 +60,10 @@ namespace caudal::potential
      * error estimate vanishes.)
      */
     adaptive,
-    given_steps ///< classical Runge-Kutta in the steps of the output
+    given_steps ///< one classical Runge-Kutta step from each instant to the next
   };
 
-  /** See integrate_motion(). */
+  /** See advance_motion(). */
   struct MotionProblem
   {
     StrokeModel  *model      = nullptr;
@@ -66,7 +74,7 @@ namespace caudal::potential
     ExternalForce force;
   };
 
-  /** d(Lambda, Pi)/dt by Kirchhoff's equations, see integrate_motion(). */
+  /** d(Lambda, Pi)/dt by Kirchhoff's equations, see advance_motion(). */
   Screw compute_impulse_rate(const Screw &impulse, const Screw &velocity, const Screw &external);
 
   /**
@@ -77,11 +85,11 @@ namespace caudal::potential
    *   Lambda' = Lambda x omega + Pi x v + tau,  Pi' = Pi x omega + f,
    *   (omega, v) = M^-1 ((Lambda, Pi) - P),  R' = R omega^,  r' = R v.
    *
-   * Calls @p observe at each of @p times [s], the first of which is that of @p start.
+   * From @p body at @p time to the state at @p end [s], with a size of steps that is chosen anew:
+   * the result depends on nothing else, so that a motion can be taken up wherever it was left.
    */
-  void integrate_motion(const MotionProblem &problem, const BodyState &start,
-                        const std::vector<double>                            &times,
-                        const std::function<void(const BodyState &, double)> &observe);
+  BodyState advance_motion(const MotionProblem &problem, const BodyState &body, double time,
+                           double end);
 } // namespace caudal::potential
 
 #endif

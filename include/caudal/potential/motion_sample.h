@@ -3,6 +3,8 @@
 
 #include <caudal/potential/kirchhoff.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <vector>
 
 namespace caudal::potential
@@ -20,10 +22,16 @@ namespace caudal::potential
     std::vector<double> powers;          ///< Q_i dc_i/dt [W]
 
     double get_power() const; ///< sum of the powers [W]
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &time &body &velocity &centre &centre_velocity &energy &torques &powers;
+    }
   };
 
   /**
-   * Everything at @p time of a body that moves as integrate_motion() says; torques if it
+   * Everything at @p time of a body that moves as advance_motion() says; torques if it
    * @p has_torques, which the model has to know for such a swim (see Torques).
    */
   MotionSample compute_sample(const MotionProblem &problem, const BodyState &body, double time,
@@ -45,6 +53,12 @@ namespace caudal::potential
 
     double              largest_energy = 0.; ///< [J]
     std::vector<double> largest_torques;     ///< of each mode [N m]
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &largest_energy &largest_torques &duration &energy &positive_work &gross_work;
+    }
 
   private:
     double duration = 0., energy = 0., positive_work = 0., gross_work = 0.;

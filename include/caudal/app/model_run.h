@@ -1,17 +1,29 @@
-#ifndef caudal_app_immersed_run_h
-#define caudal_app_immersed_run_h
+#ifndef caudal_app_model_run_h
+#define caudal_app_model_run_h
 
-#include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/outcome.h>
+#include <caudal/base/declared_parameters.h>
+#include <caudal/base/parameter_file.h>
+#include <caudal/io/output_folder.h>
+
+#include <functional>
 
 namespace caudal
 {
-  /** A case of the immersed swimmer as its parameter file describes it. */
-  template <int dim>
-  class ImmersedRun
+  /**
+   * A case of the model @p Swimmer as its parameter file describes it, which starts, or goes on
+   * from a checkpoint. The swimmer names its Parameters and the State that a checkpoint holds,
+   * and is constructed for each run.
+   */
+  template <class Swimmer>
+  class ModelRun
   {
   public:
+    using Parameters = typename Swimmer::Parameters;
+    using State      = typename Swimmer::State;
+
     /** Reads and checks all parameters. */
-    ImmersedRun(const ParameterFile &file, MPI_Comm communicator);
+    ModelRun(const ParameterFile &file, MPI_Comm communicator);
 
     /** Says what the case is like; a fast check makes no trial steps. Writes nothing. */
     void check(std::ostream &out, bool fast) const;
@@ -22,7 +34,7 @@ namespace caudal
     /** Goes on in its folder from the newest whole checkpoint. */
     Outcome resume(const std::function<bool()> &stop_requested) const;
 
-    RunParameters<dim> parameters;
+    Parameters parameters;
 
   private:
     const ParameterFile &file;
@@ -30,7 +42,7 @@ namespace caudal
     ParameterValues      values;
     std::string          text; // of all parameters
 
-    Outcome run(ImmersedSwimmer<dim> &swimmer, OutputFolder::Start start,
+    Outcome run(Swimmer &swimmer, OutputFolder::Start start,
                 const std::vector<std::string> &messages,
                 const std::function<bool()>    &stop_requested) const;
   };

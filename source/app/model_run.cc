@@ -1,10 +1,13 @@
-#include <caudal/app/immersed_run.h>
+#include <caudal/app/immersed_swimmer.h>
+#include <caudal/app/model_run.h>
+#include <caudal/app/potential_swimmer.h>
 #include <caudal/app/resume.h>
+#include <caudal/base/archive.h>
 
 namespace caudal
 {
-  template <int dim>
-  ImmersedRun<dim>::ImmersedRun(const ParameterFile &file, MPI_Comm communicator)
+  template <class Swimmer>
+  ModelRun<Swimmer>::ModelRun(const ParameterFile &file, MPI_Comm communicator)
       : parameters(&file)
       , file(file)
       , communicator(communicator)
@@ -19,48 +22,49 @@ namespace caudal
     text = out.str();
   }
 
-  template <int dim>
-  void ImmersedRun<dim>::check(std::ostream &out, const bool fast) const
+  template <class Swimmer>
+  void ModelRun<Swimmer>::check(std::ostream &out, const bool fast) const
   {
-    ImmersedSwimmer<dim>(parameters, communicator).check(out, fast);
+    Swimmer(parameters, communicator).check(out, fast);
   }
 
-  template <int dim>
-  Outcome ImmersedRun<dim>::start(const std::function<bool()> &stop_requested) const
+  template <class Swimmer>
+  Outcome ModelRun<Swimmer>::start(const std::function<bool()> &stop_requested) const
   {
     // What can be wrong with the case is found before anything is written.
-    ImmersedSwimmer<dim>     swimmer(parameters, communicator);
+    Swimmer                  swimmer(parameters, communicator);
     std::vector<std::string> messages;
     for (const std::string &override_text : file.get_overrides())
       messages.push_back("Override: " + override_text);
     return run(swimmer, OutputFolder::Start::fresh, messages, stop_requested);
   }
 
-  template <int dim>
-  Outcome ImmersedRun<dim>::resume(const std::function<bool()> &stop_requested) const
+  template <class Swimmer>
+  Outcome ModelRun<Swimmer>::resume(const std::function<bool()> &stop_requested) const
   {
     const CheckpointFolder folder(parameters.output.folder, parameters.checkpoint.n_slots,
                                   communicator);
     const auto             checkpoint = folder.read_newest();
-    RunState               state;
+    State                  state;
     unpack(checkpoint.data, state);
     std::ostringstream place;
     place << "Resumed from <" << checkpoint.path << ">, t = " << state.time << " s.";
     std::vector<std::string> messages = checkpoint.skipped;
     messages.push_back(place.str());
-    for (const std::string &change : compare_parameters(state.parameters, values))
+    for (const std::string &change :
+         compare_parameters(state.parameters, values, Parameters::fixed_entries))
       messages.push_back("Changed: " + change);
 
-    ImmersedSwimmer<dim> swimmer(parameters, communicator);
+    Swimmer swimmer(parameters, communicator);
     folder.remove_after(state.step_number);
     swimmer.resume_from(std::move(state));
     return run(swimmer, OutputFolder::Start::resume, messages, stop_requested);
   }
 
-  template <int dim>
-  Outcome ImmersedRun<dim>::run(ImmersedSwimmer<dim> &swimmer, const OutputFolder::Start start,
-                                const std::vector<std::string> &messages,
-                                const std::function<bool()>    &stop_requested) const
+  template <class Swimmer>
+  Outcome ModelRun<Swimmer>::run(Swimmer &swimmer, const OutputFolder::Start start,
+                                 const std::vector<std::string> &messages,
+                                 const std::function<bool()>    &stop_requested) const
   {
     const OutputFolder folder(parameters.output.folder, communicator, start);
     folder.write_parameters(text);
@@ -72,6 +76,7 @@ namespace caudal
     return swimmer.run(folder, log, stop_requested);
   }
 
-  template class ImmersedRun<2>;
-  template class ImmersedRun<3>;
+  template class ModelRun<ImmersedSwimmer<2>>;
+  template class ModelRun<ImmersedSwimmer<3>>;
+  template class ModelRun<PotentialSwimmer>;
 } // namespace caudal

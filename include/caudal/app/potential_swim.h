@@ -1,0 +1,49 @@
+#ifndef caudal_app_potential_swim_h
+#define caudal_app_potential_swim_h
+
+#include <caudal/app/potential_state.h>
+
+namespace caudal
+{
+  /** The times of output and the ends of the strokes. */
+  struct Instants
+  {
+    std::vector<double> times; // [s]
+    std::vector<bool>   is_output, ends_stroke;
+
+    /** Strokes of no @p period have no ends. */
+    Instants(const std::vector<double> &output_times, double period);
+  };
+
+  /** A swim at one frequency, which goes from instant to instant and keeps account of it. */
+  class PotentialSwim
+  {
+  public:
+    /** Goes on from the @p state. */
+    PotentialSwim(const potential::MotionProblem &problem, const Instants &instants,
+                  bool has_torques, PotentialOutput &output, SwimState &state);
+
+    /** Takes the first instant. Collective. */
+    void start(const potential::Screw &impulse);
+
+    /** Swims to the next instant. Collective. */
+    void advance();
+
+    bool is_at_end() const
+    {
+      return next == instants.times.size();
+    }
+
+  private:
+    void take(const potential::BodyState &body);
+
+    const potential::MotionProblem &problem;
+    const Instants                 &instants;
+    const bool                      has_torques;
+    PotentialOutput                &output;
+    SwimState                      &state;
+    std::size_t                     next; // instant
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,51 @@
+#include <caudal/io/checkpoint_writer.h>
+
+#include <sstream>
+
+using namespace dealii;
+
+namespace caudal
+{
+  CheckpointWriter::CheckpointWriter(const CheckpointParameters &parameters,
+                                     const MPI_Comm              communicator)
+      : parameters(parameters)
+      , communicator(communicator)
+  {}
+
+  void CheckpointWriter::start(const std::string &results)
+  {
+    folder.emplace(results, parameters.n_slots, communicator);
+    clock.restart();
+  }
+
+  bool CheckpointWriter::is_due(const unsigned int step) const
+  {
+    const unsigned int interval = parameters.step_interval;
+    const double       minutes  = parameters.wall_time_interval;
+    const bool         by_steps = interval > 0 && step % interval == 0;
+    const bool         by_time  = minutes > 0 && clock.wall_time() > 60 * minutes;
+    return Utilities::MPI::max(static_cast<int>(by_steps || by_time), communicator) > 0;
+  }
+
+  void CheckpointWriter::write(const std::string &data, const unsigned int step, const double time)
+  {
+    folder->write(data, step, time);
+    last_step = step;
+    clock.restart();
+  }
+
+  bool CheckpointWriter::is_out_of_time() const
+  {
+    const double limit = parameters.wall_time_limit;
+    return limit > 0 && Utilities::MPI::max(run_clock.wall_time(), communicator) > 3600 * limit;
+  }
+
+  std::string describe_stop(const bool on_request, const double time, const unsigned int step,
+                            const std::string &results)
+  {
+    std::ostringstream text;
+    text << (on_request ? "Stopped on request" : "Stopped by Checkpoint/Wall time limit")
+         << " at t = " << time << " s, step " << step << ". To go on: caudal --resume " << results;
+    return text.str();
+  }
+} // namespace caudal
