@@ -27,30 +27,19 @@ namespace caudal
       return "statistics" + suffix + ".txt";
     }
 
-    /** The potential of the whole flow at the nodes, in the body's state at another time. */
+    /**
+     * The potential of the whole flow at the nodes at a time near that of the sample, to which
+     * the impulses go on at the rate @p impulse_rate.
+     */
     Vector<double> compute_potential(StrokeModel &model, const MotionSample &sample,
-                                     const double time, const double rate, const Gait &gait)
+                                     const Screw &impulse_rate, const double time,
+                                     const double rate, const Gait &gait)
     {
-      // The impulses at the other time follow from those that are conserved.
-      BodyState          body  = sample.body;
-      const double       step  = time - sample.time;
-      const Screw       &q     = sample.velocity;
-      const Tensor<1, 3> omega = Point<3>(q[0], q[1], q[2]), v = Point<3>(q[3], q[4], q[5]);
-      const Screw       &impulse = sample.body.impulse;
-      const Tensor<1, 3> Lambda  = Point<3>(impulse[0], impulse[1], impulse[2]);
-      const Tensor<1, 3> Pi      = Point<3>(impulse[3], impulse[4], impulse[5]);
-      const Tensor<1, 3> dLambda = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
-      const Tensor<1, 3> dPi     = cross_product_3d(Pi, omega);
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        body.impulse[d] += step * dLambda[d];
-        body.impulse[3 + d] += step * dPi[d];
-      }
-
+      const Screw               impulse = sample.body.impulse + (time - sample.time) * impulse_rate;
       const double              argument = rate * time;
       const FullMatrix<double>  modes    = model.compute_potentials(argument);
       const std::vector<double> rates    = gait.evaluate(argument).rates;
-      const Screw    velocity = model.compute_motion(argument).compute_velocity(body.impulse, rate);
+      const Screw    velocity = model.compute_motion(argument).compute_velocity(impulse, rate);
       Vector<double> motions(modes.n()), potential(modes.m());
       for (unsigned int k = 0; k < 6; ++k)
         motions(k) = velocity[k];
@@ -92,16 +81,17 @@ namespace caudal
                   [&]() { std::filesystem::remove(folder.path(get_table_name(suffix))); });
   }
 
-  void PotentialOutput::write(const MotionSample &sample, const double rate, const double distance)
+  void PotentialOutput::write(const MotionSample &sample, const MotionProblem &problem,
+                              const double distance)
   {
     if (counters.n_rows % parameters.output.statistics_interval == 0)
-      write_row(sample, rate, distance);
+      write_row(sample, problem.rate, distance);
     ++counters.n_rows;
     const double end      = parameters.time.end_time;
     const auto   has_come = [&](const double time) { return sample.time >= time - 1e-9 * end; };
     const bool   are_due  = has_come(counters.next_fields);
     if (are_due || has_come(end))
-      write_fields(sample, rate);
+      write_fields(sample, problem);
     if (are_due)
       counters.next_fields += parameters.output.field_interval;
   }
@@ -145,8 +135,9 @@ namespace caudal
     statistics.write_row();
   }
 
-  void PotentialOutput::write_fields(const MotionSample &sample, const double rate)
+  void PotentialOutput::write_fields(const MotionSample &sample, const MotionProblem &problem)
   {
+    const double        rate      = problem.rate;
     const double        argument  = rate * sample.time;
     const GaitState     gait      = shape.gait.evaluate(argument);
     const SurfaceMotion motion    = shape.deformation.place(gait.c);
@@ -166,11 +157,15 @@ namespace caudal
       velocities.push_back(sample.body.rotate(u));
     }
 
-    const Vector<double> potential =
-        compute_potential(model, sample, sample.time, rate, shape.gait);
-    Vector<double> potential_rate =
-        compute_potential(model, sample, sample.time + increment, rate, shape.gait);
-    potential_rate -= compute_potential(model, sample, sample.time - increment, rate, shape.gait);
+    const Screw external =
+        problem.force ? problem.force({argument, rate, sample.velocity}).screw : Screw();
+    const Screw impulse_rate = compute_impulse_rate(sample.body.impulse, sample.velocity, external);
+    const auto  compute_potential_at = [&](const double time) {
+      return compute_potential(model, sample, impulse_rate, time, rate, shape.gait);
+    };
+    const Vector<double> potential      = compute_potential_at(sample.time);
+    Vector<double>       potential_rate = compute_potential_at(sample.time + increment);
+    potential_rate -= compute_potential_at(sample.time - increment);
     potential_rate /= 2. * increment;
     const SurfaceFields flow = compute_surface_fields(shape.surface, nodes, velocities, potential,
                                                       potential_rate, shape.densities.fluid);

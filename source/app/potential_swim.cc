@@ -74,7 +74,7 @@ namespace caudal
     }
     state.last = sample;
     if (instants.is_output[next])
-      output.write(sample, problem.rate, state.get_distance());
+      output.write(sample, problem, state.get_distance());
     if (instants.ends_stroke[next])
       state.strokes.add(sample);
     ++next;

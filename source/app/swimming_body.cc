@@ -103,7 +103,8 @@ namespace caudal
   void SwimmingBody<dim>::check_nose() const
   {
     const bool uses_stations =
-        has_gait() || (parameters.muscle.type != "none" && parameters.muscle.type != "fibres");
+        parameters.gait.type != "none" ||
+        (parameters.muscle.type != "none" && parameters.muscle.type != "fibres");
     const auto   box  = GridTools::compute_bounding_box(solid.get_triangulation());
     const double nose = box.lower_bound(0);
     AssertThrow(

@@ -62,6 +62,14 @@ override "Body fish/Region head/Thin direction" z
 override "Body fish/Monitored points" "7, 0"
 refuse "a muscle in an unknown region" good.prm -D "Body fish/Muscle/Type=bang-bang" -D "Body fish/Muscle/Regions=fin"
 override "Refinement/Interval" 0
+override "Solver/Largest number of iterations" -1
+override "Body fish/Controller/Type" heading
+override "Body fish/Region head/Feedback directions" z
+override "Fluid/Inflow velocity" "1; 0"
+refuse "a gait on a shape whose origin is its centre" good.prm -D "Body fish/Shape/Type=ellipse" \
+  -D "Body fish/Shape/Region boundaries=" -D "Body fish/Regions=head" -D "Body fish/Gait/Type=curvature"
+sed 's/fish/fluid/' good.prm >fluid.prm
+refuse "a body that is called like the flow" fluid.prm
 override "Output/Folder" ""
 
 override "Fluid/Initial velocity" "1/0; 0"

@@ -41,10 +41,11 @@ namespace caudal
                     MPI_Comm communicator);
 
     /**
-     * A row, and fields if they are due. @p rate is that of the gait [rad/s], @p distance that
-     * of the centre of mass from its start [m]. Collective.
+     * A row, and fields if they are due. @p distance is that of the centre of mass from its
+     * start [m]. Collective.
      */
-    void write(const potential::MotionSample &sample, double rate, double distance);
+    void write(const potential::MotionSample &sample, const potential::MotionProblem &problem,
+               double distance);
 
     /**
      * Removes what a run that is resumed wrote of a swim after @p time [s]: fields from the list
@@ -55,7 +56,8 @@ namespace caudal
 
   private:
     void write_row(const potential::MotionSample &sample, double rate, double distance);
-    void write_fields(const potential::MotionSample &sample, double rate);
+    void write_fields(const potential::MotionSample  &sample,
+                      const potential::MotionProblem &problem);
 
     const PotentialParameters &parameters;
     potential::SwimmingShape  &shape;
