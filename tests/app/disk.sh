@@ -37,7 +37,7 @@ EOF
 # What the run said, without what depends on the moment.
 say() {
   sed "s/step [0-9]*/step .../; s/fields.[a-z]*-[0-9]*/fields.../; s/: the folder <results> is gone/: .../
-       s/: <results.restart.*No such file or directory/: .../; s/^/    /" errors
+       s/: <results.restart.*No such file or directory/: .../; s/>: No such file or directory/>: .../; s/^/    /" errors
 }
 
 # start OPTIONS: starts the run and waits for its second checkpoint.
