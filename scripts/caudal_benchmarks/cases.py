@@ -282,7 +282,7 @@ CASES = {case.name: case for case in (
          curves=TIP + FORCES),
     Case("fsi3_paper", "the same in the paper's channel", "15 min", evaluate_fsi3_paper,
          curves=TIP + FORCES),
-    Case("fsi3_study", "FSI3 on three grids with three steps", "5 h",
+    Case("fsi3_study", "FSI3 on three grids and with three steps", "90 min",
          studies.evaluate_grid_and_step, studies.GRID_AND_STEP_VARIANTS, file="fsi3",
          plot=studies.plot_grid_and_step),
     Case("fsi3_kernels", "FSI3 on a coarse grid with each kernel", "60 min",

@@ -16,14 +16,14 @@ GRIDS = {2: ("Domain/Cells=31,5", "Body flag/Shape/Elements=35,2",
          4: (),
          8: ("Domain/Cells=122,20", "Body flag/Shape/Elements=140,8",
              "Refinement/Largest number of cells=16000")}
-STEPS = (8e-3, 4e-3, 2e-3)
 # The oscillation is periodic from about 3 s on.
 END = "Time/End time=4.2"
 KERNELS = ("dirac", "four-point", "three-point", "cosine", "hat", "B-spline 3", "B-spline 4",
            "B-spline 5", "B-spline 6", "composite B-spline 32", "composite B-spline 43",
            "composite B-spline 54")
 
-GRID_AND_STEP = tuple((cells, step) for cells in GRIDS for step in STEPS)
+# Each grid with 4 ms, and other steps on the cheaper ones: all nine would take five hours.
+GRID_AND_STEP = ((2, 8e-3), (2, 4e-3), (2, 2e-3), (4, 8e-3), (4, 4e-3), (8, 4e-3))
 GRID_AND_STEP_VARIANTS = tuple(GRIDS[cells] + (END, f"Time/Step={step}")
                                for cells, step in GRID_AND_STEP)
 # On the coarse grid, where they differ most.
@@ -59,8 +59,9 @@ def plot_grid_and_step(path, figures):
     known = {figure.name: 100 * figure.error for figure in figures}
     for axis, (name, _, _, _) in zip(axes[0], QUANTITIES):
         for cells in GRIDS:
-            axis.plot([1e3 * step for step in STEPS],
-                      [known[f"{name}, {cells} cells, {step:g} s"] for step in STEPS], "o-",
+            steps = [step for n, step in GRID_AND_STEP if n == cells]
+            axis.plot([1e3 * step for step in steps],
+                      [known[f"{name}, {cells} cells, {step:g} s"] for step in steps], "o-",
                       label=f"flag {cells} cells thick")
         axis.axhline(0, color="0.4", linestyle="--", linewidth=0.8)
         axis.set_title(name)

@@ -1,6 +1,5 @@
 #include <caudal/app/checkpoints.h>
 #include <caudal/base/archive.h>
-
 #include <caudal/base/collective.h>
 
 namespace caudal

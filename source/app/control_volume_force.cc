@@ -20,7 +20,7 @@ namespace caudal
     impulse += 0.5 * momentum.get_step() * (other_forces + balance.force) - momentum.get_change();
     other_forces = balance.force;
     force        = other_forces - momentum.get_derivative();
-    if (!has_all_bodies())
+    if (is_valid() && !has_all_bodies())
       impulse[0] = std::numeric_limits<double>::quiet_NaN();
   }
 

@@ -49,9 +49,6 @@ namespace caudal
     const auto &corners = system.space.get_parameters().control_volume;
     if (!corners.empty())
       control_volume.emplace(system, BoundingBox<dim>({corners[0], corners[1]}));
-    AssertThrow(has_all_bodies_in_control_volume(),
-                ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
-                           "hold all bodies with their kernels. Give a larger one."));
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 #include <caudal/app/immersed_swimmer.h>
 
 #include <caudal/app/body_distance.h>
+#include <caudal/app/control_volume_force.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
 
@@ -43,6 +44,7 @@ namespace caudal
     check_bodies();
     adaptation.make_initial_grid();
     start_bodies();
+    check_control_volume();
   }
 
   template <int dim>
@@ -95,6 +97,17 @@ namespace caudal
           }
       }
     check_distances(bodies, lattice);
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::check_control_volume() const
+  {
+    const auto &corners = parameters.fluid.control_volume;
+    AssertThrow(corners.empty() ||
+                    ControlVolumeForce<dim>(system, BoundingBox<dim>({corners[0], corners[1]}))
+                        .has_all_bodies(),
+                ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
+                           "hold all bodies with their kernels. Give a larger one."));
   }
 
   /** In an initial flow the bodies move with it. */
@@ -263,6 +276,7 @@ namespace caudal
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
     while (!stepper.is_at_end() && !stop_requested() && !checkpoints.is_out_of_time())
     {
+      stepper.check_step();
       adapt_grid(stepper, output, log);
       const StepResult<dim> result = advance(stepper, log);
       scheme->accept(stepper.get_step());

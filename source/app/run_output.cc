@@ -70,8 +70,7 @@ namespace caudal
     TimerOutput::Scope timer_section(system.timer, "output");
     flow = result.flow;
     update_ledger(stepper.get_time(), stepper.get_previous_step(), result.damping);
-    forces.update(stepper.get_time());
-    warn_of_control_volume(stepper.get_time());
+    update_forces(stepper.get_time());
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(system.space.get_communicator(),
                [&]() { report_swimming(stepper.get_time(), stepper.get_previous_step()); });
@@ -83,13 +82,13 @@ namespace caudal
   }
 
   template <int dim>
-  void RunOutput<dim>::warn_of_control_volume(const double time)
+  void RunOutput<dim>::update_forces(const double time)
   {
-    if (forces.has_all_bodies_in_control_volume() || has_warned_of_control_volume)
-      return;
-    has_warned_of_control_volume = true;
-    log << "Warning: a body has left Fluid/Control volume at t = " << time
-        << " s; the force by control volume is none on the bodies from here on." << std::endl;
+    const bool was_valid = forces.is_control_volume_valid();
+    forces.update(time);
+    if (was_valid && !forces.is_control_volume_valid())
+      log << "Warning: a body has left Fluid/Control volume at t = " << time
+          << " s; the force by control volume is none on the bodies from here on." << std::endl;
   }
 
   template <int dim>

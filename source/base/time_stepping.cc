@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using namespace dealii;
 
@@ -51,6 +52,9 @@ namespace caudal
     check_positive("Body CFL", body_cfl);
     check_positive("Convective CFL", convective_cfl);
     check_positive("Error tolerance", error_tolerance);
+    AssertThrow(!adaptive || smallest_step <= largest_step,
+                ExcMessage("Time/Largest step: it is less than Time/Smallest step. Make it "
+                           "larger."));
     AssertThrow(smallest_step <= step,
                 ExcMessage("Time/Smallest step: " + std::to_string(smallest_step) +
                            " s is larger than Time/Step. Make it smaller."));
@@ -108,13 +112,18 @@ namespace caudal
                     get_growth(parameters.error_tolerance, indicators.error, order)});
       regular_step =
           std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
-      AssertThrow(regular_step >= parameters.smallest_step,
-                  ExcMessage("Time/Smallest step: the limits of adapted steps ask for " +
-                             std::to_string(regular_step) + " s at t = " + std::to_string(time) +
-                             " s, which is less. Relax Body CFL, Convective CFL or Error "
-                             "tolerance, or look what becomes so fast."));
     }
     choose_step();
+  }
+
+  void TimeStepper::check_step() const
+  {
+    std::ostringstream text;
+    text << "Time/Smallest step: at t = " << time << " s the limits of adapted steps ask for "
+         << regular_step << " s, which is less than " << parameters.smallest_step
+         << " s. Relax Body CFL, Convective CFL or Error tolerance, or look what becomes so fast.";
+    AssertThrow(!parameters.adaptive || regular_step >= parameters.smallest_step,
+                ExcMessage(text.str()));
   }
 
   void TimeStepper::resume()

@@ -53,8 +53,9 @@ namespace caudal
                       "Lower and upper corner of a box round all bodies. The momentum balance of "
                       "the coarse cells with a centre in it gives the force on the bodies once "
                       "more, in the statistics and, if there is one body that stays in it, as "
-                      "the mean of each tail beat; coordinates separated by ',', corners by ';' "
-                      "[m]. None: not done.");
+                      "the mean of each tail beat; once a body has left the box, which the log "
+                      "tells, it means nothing. Coordinates separated by ',', corners by ';' [m]. "
+                      "None: not done.");
     prm.enter_subsection("Boundary conditions");
     const std::vector<std::string> sides = get_side_names(dim);
     for (unsigned int side = 0; side < sides.size(); ++side)

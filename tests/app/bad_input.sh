@@ -91,6 +91,7 @@ refuse "a probe outside of the domain" good.prm -D "Fluid/Probes=1, 1; 1, 7"
 
 refuse "corners in the wrong order" good.prm -D "Body fish/Shape/Type=quadrilateral" \
   -D "Body fish/Shape/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
+refuse "a control volume that does not hold the body" good.prm -D "Fluid/Control volume=0.1, 0.1; 2, 1.5"
 override "Body fish/Traction" "1"
 override "Body fish/Shape/Type" file
 refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \

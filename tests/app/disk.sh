@@ -45,12 +45,16 @@ start() {
   rm -rf results
   $without_override "$CAUDAL" disc.prm "$@" >printed 2>errors &
   run=$!
-  while ! [ -e results/restart ] || [ "$(ls results/restart | tail -n 1)" = step-00000005 ]; do sleep 0.1; done
+  while ! [ -e results/restart ] || [ "$(ls results/restart | tail -n 1)" = step-00000005 ]; do
+    kill -0 $run || break
+    sleep 0.1
+  done
 }
 
 # Root may write everywhere, but not without this capability.
 without_override=
-[ "$(id -u)" -ne 0 ] || without_override="setpriv --bounding-set -dac_override"
+[ "$(id -u)" -ne 0 ] || ! setpriv --bounding-set -dac_override true ||
+  without_override="setpriv --bounding-set -dac_override"
 
 # end: what was said by the run that has ended, and whether it can go on
 end() {

@@ -3,14 +3,16 @@
 
 #include <caudal/base/time_stepping.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <iostream>
 
 using namespace caudal;
 
 namespace
 {
-  /** The coming step relative to the one before, with limits that are not the defaults. */
-  double get_growth(const TimeStepper::Indicators &indicators)
+  /** Limits that are not the defaults. */
+  TimeParameters make_parameters()
   {
     TimeParameters parameters;
     parameters.adaptive        = true;
@@ -18,6 +20,13 @@ namespace
     parameters.body_cfl        = 0.5;
     parameters.convective_cfl  = 4;
     parameters.error_tolerance = 0.02;
+    return parameters;
+  }
+
+  /** The third step relative to the second. */
+  double get_growth(const TimeStepper::Indicators &indicators,
+                    const TimeParameters          &parameters = make_parameters())
+  {
     TimeStepper stepper(parameters);
     stepper.accept({0.45, 0, 0}); // a step of the same size comes next
     stepper.accept(indicators);
@@ -32,5 +41,28 @@ int main()
             << "body CFL 1.5 times its limit: " << get_growth({0.75, 0, 0}) << '\n'
             << "convective CFL 1.5 times its limit: " << get_growth({0, 6, 0}) << '\n'
             << "error 3.375 times its limit: " << get_growth({0, 0, 0.0675}) << '\n'
-            << "all of them far above: " << get_growth({5, 40, 2}) << std::endl;
+            << "all of them far above: " << get_growth({5, 40, 2}) << '\n';
+
+  TimeParameters parameters = make_parameters();
+  parameters.scheme         = "explicit";
+  std::cout << "explicit scheme, error 2.25 times its limit: "
+            << get_growth({0, 0, 0.045}, parameters) << '\n';
+  parameters              = make_parameters();
+  parameters.largest_step = 1.1e-3;
+  std::cout << "Largest step of 1.1: " << get_growth({0, 0, 0}, parameters) << '\n';
+  parameters.largest_step = 5e-4;
+  std::cout << "Largest step of 0.5: " << 1e3 * TimeStepper(parameters).get_step() << '\n';
+  parameters               = make_parameters();
+  parameters.smallest_step = 9e-4;
+  TimeStepper stepper(parameters);
+  stepper.check_step();
+  stepper.accept({5, 0, 0});
+  try
+  {
+    stepper.check_step();
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    std::cout << "a step below Smallest step is refused" << std::endl;
+  }
 }

@@ -78,13 +78,13 @@ int main()
       "Noise only", [&](double t) { return 0.002 * std::sin(omega * t); }, 1.4);
 
   SwimmerConstants fish{"fish", 1., 80., 1e-6, 1000., 2.};
-  SwimReport       report(fish, std::cout, "");
+  fish.has_control_volume = true;
+  SwimReport report(fish, std::cout, "");
   swim(report, 0., 1.6);
 
   // Half of the way: the rest is reported by a resumed run.
   std::stringstream archive;
   boost::archive::text_oarchive(archive) << report;
-  fish.has_control_volume = true;
   SwimReport resumed(fish, std::cout, "swim.txt");
   {
     boost::archive::text_iarchive in(archive);

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <cmath>
+
 namespace caudal
 {
   /**
@@ -13,7 +15,7 @@ namespace caudal
    * balance of the flow (per metre of span in 2D),
    *   F = Phi - dP/dt [N/m],  P = int_V rho u - int_B rho u [N s/m],
    * Phi the other forces on the fluid in V with the momentum that flows in (MomentumBalance), and
-   * its impulse since the start,
+   * its impulse since the first step,
    *   I = int Phi dt - (P - P_0) + J [N s/m],
    * by the trapezoidal rule, as BDF2's sum over the steps asks for: so the mean force over a time
    * needs no derivative.
@@ -43,10 +45,16 @@ namespace caudal
       return force;
     }
 
-    /** NaN from the step on in which a body reached out of V. */
+    /** Since the first step; NaN from the step on in which a body reached out of V. */
     const Tensor<1, dim> &get_impulse() const
     {
       return impulse;
+    }
+
+    /** Whether all bodies were in V in all steps. */
+    bool is_valid() const
+    {
+      return !std::isnan(impulse[0]);
     }
 
     template <class Archive>

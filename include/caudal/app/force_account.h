@@ -41,9 +41,9 @@ namespace caudal
     Tensor<1, dim> get_control_volume_impulse() const;
 
     /** Whether what the control volume tells is the force on the bodies; true without one. */
-    bool has_all_bodies_in_control_volume() const
+    bool is_control_volume_valid() const
     {
-      return !control_volume || control_volume->has_all_bodies();
+      return !control_volume || control_volume->is_valid();
     }
 
     void set_body_statistics(unsigned int body, Statistics &statistics) const;

@@ -65,6 +65,7 @@ namespace caudal
     BoundingBox<dim> get_domain() const;
     void             check_probes() const;
     void             check_bodies() const;
+    void             check_control_volume() const;
     void             start_bodies();
     void             adapt_grid(const TimeStepper &stepper, RunOutput<dim> &output, Log &log);
     TrialCost        try_steps(unsigned int n_steps);

@@ -89,16 +89,15 @@ namespace caudal
     EnergyLedger                             ledger, initial_ledger;
     std::vector<double>                      body_impulses; // forward [N s/m]
     FlowSummary<dim>                         flow;
-    double                                   last_dissipation             = 0; // [W/m]
-    double                                   last_numerical_dissipation   = 0; // [W/m]
-    double                                   last_external_power          = 0; // [W/m]
-    unsigned int                             n_field_outputs              = 0;
-    double                                   last_field_time              = -1;
-    bool                                     has_warned_of_control_volume = false;
+    double                                   last_dissipation           = 0; // [W/m]
+    double                                   last_numerical_dissipation = 0; // [W/m]
+    double                                   last_external_power        = 0; // [W/m]
+    unsigned int                             n_field_outputs            = 0;
+    double                                   last_field_time            = -1;
 
     SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
     void             update_ledger(double time, double step, double damping);
-    void             warn_of_control_volume(double time);
+    void             update_forces(double time);
     bool             fields_are_due(double time) const;
     void             report_swimming(double time, double step);
     void             write_statistics(const TimeStepper &stepper, const StepResult<dim> &result,

@@ -89,6 +89,9 @@ namespace caudal
     /** The step failed because of @p reason: halves it; throws after too many of them. */
     void reject(const std::string &reason);
 
+    /** Throws if the coming step is to be smaller than the parameters allow. */
+    void check_step() const;
+
     /** After the state was read back: chooses the coming step as accept() did. */
     void resume();
 
