@@ -117,3 +117,11 @@ caudal channel.prm -D "Fluid/Boundary conditions/left=wall" -D "Fluid/Boundary c
 residual=$(last "energy residual" results/statistics.txt)
 external=$(last "external work" results/statistics.txt)
 check "box: residual less than 1 % of the work" "($residual)^2 < (0.01 * $external)^2"
+
+# The work of a gait counts what accelerates a body that is heavier than the fluid.
+caudal "$CAUDAL_SOURCE_DIR/prm/eel.prm" -D "Output/Folder=heavy" -D "Output/Interval of fields=100" \
+  -D "Domain/Cells=16,8" -D "Body eel/Shape/Elements=32,4" -D "Refinement/Vorticity threshold=0" \
+  -D "Body eel/Density=2" -D "Time/Step=0.01" -D "Time/End time=0.4"
+residual=$(last "energy residual" heavy/statistics.txt)
+work=$(last "eel: muscle work" heavy/statistics.txt)
+check "heavy eel: residual less than 2 % of the work" "($residual)^2 < (0.02 * $work)^2"
