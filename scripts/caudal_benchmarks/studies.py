@@ -62,11 +62,11 @@ def plot_grid_and_step(path, figures):
             steps = [step for n, step in GRID_AND_STEP if n == cells]
             axis.plot([1e3 * step for step in steps],
                       [known[f"{name}, {cells} cells, {step:g} s"] for step in steps], "o-",
-                      label=f"flag {cells} cells thick")
+                      label=f"{cells} cells thick")
         axis.axhline(0, color="0.4", linestyle="--", linewidth=0.8)
         axis.set_title(name)
         axis.set_xlabel("step [ms]")
     axes[0, 0].set_ylabel("error [%]")
-    axes[0, -1].legend()
+    axes[0, 0].legend(loc="lower left")
     picture.savefig(path)
     style.close(picture)
