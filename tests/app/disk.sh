@@ -40,7 +40,7 @@ say() {
        s/: <results.restart.*No such file or directory/: .../; s/>: No such file or directory/>: .../; s/^/    /" errors
 }
 
-# start OPTIONS: starts the run and waits for its second checkpoint.
+# start OPTIONS: starts the run, waits for its second checkpoint and stops it between two.
 start() {
   rm -rf results
   $without_override "$CAUDAL" disc.prm "$@" >printed 2>errors &
@@ -48,6 +48,9 @@ start() {
   while ! [ -e results/restart ] || [ "$(ls results/restart | tail -n 1)" = step-00000005 ]; do
     kill -0 $run || break
     sleep 0.1
+  done
+  while kill -STOP $run && sleep 0.1 && [ -e results/restart/unfinished ]; do
+    kill -CONT $run
   done
 }
 
@@ -58,6 +61,7 @@ without_override=
 
 # end: what was said by the run that has ended, and whether it can go on
 end() {
+  kill -CONT $run
   wait $run
   code=$?
   say
@@ -90,6 +94,7 @@ mv results moved
 end
 # stop: what was said by the run that has nothing left to go on from
 stop() {
+  kill -CONT $run
   wait $run
   echo "    exit code $?"
   say
