@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <malloc.h>
 #include <thread>
 
 namespace
@@ -34,6 +35,18 @@ namespace
     std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
       std::signal(signal, [](int) { stop_signal = 1; });
+  }
+
+  /**
+   * Memory that was freed stays with the process: each step's factorisation asks for it again,
+   * and to get it from the system page by page is a tenth of a step.
+   */
+  void keep_freed_memory()
+  {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
   }
 
   /** All ranks stop if one has got the signal. */
@@ -190,6 +203,7 @@ int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
+  keep_freed_memory();
   std::string error;
   try
   {

@@ -28,10 +28,6 @@ namespace caudal
         "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
         "never: factorise in each step.",
         Patterns::Selection("automatic|never"));
-    prm.add_parameter(
-        "Reproducible", reproducible,
-        "On several ranks: true lets rank 0 factorise alone, so that equal runs give equal bits; "
-        "false lets all ranks do it, which is faster and differs in round-off from run to run.");
     prm.leave_subsection();
   }
 
@@ -171,8 +167,8 @@ namespace caudal
     {
     public:
       AugmentedLagrangianPreconditioner(const MomentumOperator<dim> &momentum,
-                                        DirectSolver &direct_solver, const double augmentation,
-                                        const double scale)
+                                        SubstructuredSolver         &direct_solver,
+                                        const double augmentation, const double scale)
           : momentum(momentum)
           , direct_solver(direct_solver)
           , augmentation(augmentation)
@@ -204,7 +200,7 @@ namespace caudal
 
     private:
       const MomentumOperator<dim> &momentum;
-      DirectSolver                &direct_solver;
+      SubstructuredSolver         &direct_solver;
       const double                 augmentation, scale;
     };
   } // namespace
@@ -217,14 +213,61 @@ namespace caudal
       , space(space)
       , momentum(momentum)
       , timer(timer)
-      , direct_solver(space.get_communicator(), DirectSolver::Symmetry::general,
-                      parameters.reproducible)
+      , direct_solver(space.get_communicator())
   {}
+
+  namespace
+  {
+    /**
+     * For each of this rank's velocity unknowns the centre, in the direction in which the cells
+     * extend most, of the last cell that has it: between two positions lies a face.
+     */
+    template <int dim>
+    std::vector<double> get_positions(const DoFHandler<dim> &dofs)
+    {
+      double          count = 0;
+      Tensor<1, dim>  sum, sum_of_squares;
+      const IndexSet &owned = dofs.locally_owned_dofs();
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          count += 1;
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            sum[d] += cell->center()[d];
+            sum_of_squares[d] += cell->center()[d] * cell->center()[d];
+          }
+        }
+      const MPI_Comm communicator = dofs.get_communicator();
+      count                       = Utilities::MPI::sum(count, communicator);
+      sum                         = Utilities::MPI::sum(sum, communicator) / count;
+      sum_of_squares              = Utilities::MPI::sum(sum_of_squares, communicator) / count;
+      unsigned int axis           = 0;
+      for (unsigned int d = 1; d < dim; ++d)
+        if (sum_of_squares[d] - sum[d] * sum[d] > sum_of_squares[axis] - sum[axis] * sum[axis])
+          axis = d;
+
+      std::vector<double>                  positions(owned.n_elements(), -1e300);
+      std::vector<types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(cell_dofs);
+          for (const auto dof : cell_dofs)
+            if (owned.is_element(dof))
+            {
+              double &position = positions[owned.index_within_set(dof)];
+              position         = std::max(position, cell->center()[axis]);
+            }
+        }
+      return positions;
+    }
+  } // namespace
 
   template <int dim>
   void CoupledSystem<dim>::reinit()
   {
-    direct_solver.clear();
+    direct_solver.set_positions(get_positions(space.velocity_dofs));
   }
 
   template <int dim>

@@ -1,9 +1,11 @@
 #include <caudal/base/direct_solver.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <dmumps_c.h>
+#include <mpi.h>
+
+#include <algorithm>
 
 using namespace dealii;
 
@@ -17,14 +19,10 @@ namespace caudal
 
   struct DirectSolver::Implementation
   {
-    Implementation(MPI_Comm communicator, const Symmetry symmetry, const bool on_root)
-        : communicator(communicator)
-        , symmetry(symmetry)
-        , on_root(on_root)
-        , rank(Utilities::MPI::this_mpi_process(communicator))
+    Implementation()
     {
-      data.comm_fortran = MPI_Comm_c2f(on_root ? MPI_COMM_SELF : communicator);
-      data.sym          = symmetry == Symmetry::general ? 0 : 2;
+      data.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+      data.sym          = 0;
       data.par          = 1;
       data.job          = job_initialise;
       dmumps_c(&data);
@@ -34,8 +32,8 @@ namespace caudal
       // Rows stay where the caller put them: what is zero on the diagonal, for the bodies'
       // force densities, fills in when their neighbours are eliminated.
       set_control(6, 0);
-      set_control(18, is_distributed() ? 3 : 0);
       set_control(10, 0); // no iterative refinement: the caller iterates
+      set_control(15, 1); // unknowns come in groups
       // Pivots move only where they are tiny: the augmented and the bodies' rows
       // would else delay each other (three times the time). The caller checks
       // the residual.
@@ -48,68 +46,65 @@ namespace caudal
       dmumps_c(&data);
     }
 
-    /** Lets MUMPS do its work; what it tells is the same on all ranks. */
     void run(const int job)
     {
       data.job = job;
-      if (!on_root || rank == 0)
-        dmumps_c(&data);
-      if (on_root)
-      {
-        MPI_Bcast(data.infog, std::size(data.infog), MPI_INT, 0, communicator);
-        MPI_Bcast(data.rinfog, std::size(data.rinfog), MPI_DOUBLE, 0, communicator);
-      }
+      dmumps_c(&data);
     }
 
-    /** Moves all ranks' entries to rank 0, one rank after the other. */
-    void collect(Triplets &entries) const
+    void set_matrix(const Triplets &entries)
     {
-      const auto collect_one = [&](auto &part) {
-        const auto parts = Utilities::MPI::gather(communicator, part);
-        part.clear();
-        for (const auto &one : parts)
-          part.insert(part.end(), one.begin(), one.end());
-      };
-      collect_one(entries.rows);
-      collect_one(entries.columns);
-      collect_one(entries.values);
+      rows.resize(entries.rows.size());
+      columns.resize(entries.columns.size());
+      const auto count_from_one = [](const int index) { return index + 1; };
+      std::transform(entries.rows.begin(), entries.rows.end(), rows.begin(), count_from_one);
+      std::transform(entries.columns.begin(), entries.columns.end(), columns.begin(),
+                     count_from_one);
+      data.nnz = entries.values.size();
+      data.irn = rows.data();
+      data.jcn = columns.data();
+      data.a   = const_cast<double *>(entries.values.data()); // MUMPS only reads it
     }
 
-    /** Whether MUMPS gets the matrix from several ranks. */
-    bool is_distributed() const
+    void set_groups(const std::vector<int> &group_begins)
     {
-      return !on_root && Utilities::MPI::n_mpi_processes(communicator) > 1;
+      begins.resize(group_begins.size());
+      std::transform(group_begins.begin(), group_begins.end(), begins.begin(),
+                     [](const int index) { return index + 1; });
+      data.n      = group_begins.back();
+      data.nblk   = begins.size() - 1;
+      data.blkptr = begins.data();
     }
 
-    /** The matrix, which has to live until MUMPS has factorised it. */
-    void set_matrix(Triplets &entries)
+    void set_kept(const unsigned int n_kept)
     {
-      if (is_distributed())
-      {
-        data.nnz_loc = entries.values.size();
-        data.irn_loc = entries.rows.data();
-        data.jcn_loc = entries.columns.data();
-        data.a_loc   = entries.values.data();
-      }
-      else
-      {
-        data.nnz = entries.values.size();
-        data.irn = entries.rows.data();
-        data.jcn = entries.columns.data();
-        data.a   = entries.values.data();
-      }
+      set_control(19, n_kept > 0 ? 1 : 0);
+      set_control(24, n_kept > 0 ? 1 : 0); // else a singular eliminated part would pass unnoticed
+      kept.resize(n_kept);
+      for (unsigned int k = 0; k < n_kept; ++k)
+        kept[k] = data.n - n_kept + k + 1;
+      schur_complement.resize(static_cast<std::size_t>(n_kept) * n_kept);
+      kept_values.resize(n_kept);
+      data.size_schur    = n_kept;
+      data.listvar_schur = kept.data();
+      data.schur         = schur_complement.data();
+      data.redrhs        = kept_values.data();
+      data.lredrhs       = n_kept;
     }
 
-    /** Groups of @p group_size unknowns are ordered as one; the last may be smaller. */
-    void set_groups(const unsigned int group_size)
+    /** @p phase of the solution: 0 all of it, 1 condensation, 2 expansion. */
+    void solve(std::vector<double> &vector, const int phase)
     {
-      group_begins.clear();
-      for (int first = 1; first <= data.n; first += group_size)
-        group_begins.push_back(first);
-      data.nblk = group_begins.size();
-      group_begins.push_back(data.n + 1);
-      data.blkptr = group_begins.data();
-      set_control(15, 1);
+      Assert(static_cast<int>(vector.size()) == data.n,
+             ExcDimensionMismatch(vector.size(), data.n));
+      set_control(26, phase);
+      data.rhs  = vector.data();
+      data.nrhs = 1;
+      data.lrhs = data.n;
+      run(job_solve);
+      AssertThrow(data.infog[0] >= 0,
+                  ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
+                             std::to_string(data.infog[0]) + "."));
     }
 
     void set_control(const int number, const int value)
@@ -117,39 +112,27 @@ namespace caudal
       data.icntl[number - 1] = value;
     }
 
-    MPI_Comm           communicator;
-    const Symmetry     symmetry;
-    const bool         on_root;
-    const unsigned int rank;
-    DMUMPS_STRUC_C     data{};
-    std::vector<int>   group_begins;
-    bool               factorized = false;
+    DMUMPS_STRUC_C      data{};
+    std::vector<int>    rows, columns, begins, kept;
+    std::vector<double> schur_complement, kept_values;
   };
 
-  DirectSolver::DirectSolver(MPI_Comm communicator, const Symmetry symmetry, const bool on_root)
-      : mumps(std::make_unique<Implementation>(communicator, symmetry, on_root))
+  DirectSolver::DirectSolver()
+      : mumps(std::make_unique<Implementation>())
   {}
 
   DirectSolver::~DirectSolver() = default;
 
-  void DirectSolver::factorize(const int n, Triplets &entries, const unsigned int group_size)
+  void DirectSolver::factorize(const std::vector<int> &group_begins, const Triplets &entries,
+                               const unsigned int n_kept)
   {
-    Triplets kept;
-    for (std::size_t k = 0; k < entries.values.size(); ++k)
-      if (mumps->data.sym == 0 || entries.rows[k] <= entries.columns[k])
-        kept.add(entries.rows[k] + 1, entries.columns[k] + 1, entries.values[k]);
-    if (mumps->on_root)
-      mumps->collect(kept);
-
     DMUMPS_STRUC_C &data = mumps->data;
-    data.n               = n;
-    mumps->factorized    = false;
-    mumps->set_matrix(kept);
-    mumps->set_groups(group_size);
-
-    // Approximate minimum fill orders small matrices faster than METIS, whose
-    // nested dissection pays off in the factorisation of larger ones.
-    mumps->set_control(7, n < 60000 ? 2 : 5);
+    mumps->set_matrix(entries);
+    mumps->set_groups(group_begins);
+    mumps->set_kept(n_kept);
+    // Approximate minimum fill: nested dissection (PORD) saves a fifth of the operations in
+    // larger systems and takes longer than that.
+    mumps->set_control(7, 2);
     // MUMPS may underestimate the working space: -8 and -9 ask for more.
     for (const int extra_space : {30, 100, 300})
     {
@@ -158,50 +141,35 @@ namespace caudal
       if (data.infog[0] != -8 && data.infog[0] != -9)
         break;
     }
-    AssertThrow(data.infog[0] >= 0,
-                ExcMessage("The direct solver (MUMPS) could not factorise the " +
-                           std::to_string(n) + " x " + std::to_string(n) +
-                           " matrix: INFOG(1) = " + std::to_string(data.infog[0]) +
-                           ", INFOG(2) = " + std::to_string(data.infog[1]) +
-                           " (-10: singular, -13: out of memory)."));
-    mumps->factorized = true;
+    const bool is_singular = n_kept > 0 && data.infog[27] > 0;
+    AssertThrow(
+        data.infog[0] >= 0 && !is_singular,
+        ExcMessage("The direct solver (MUMPS) could not factorise the " + std::to_string(data.n) +
+                   " x " + std::to_string(data.n) +
+                   " matrix: INFOG(1) = " + std::to_string(is_singular ? -10 : data.infog[0]) +
+                   ", INFOG(2) = " + std::to_string(data.infog[1]) +
+                   " (-10: singular, -13: out of memory)."));
   }
 
-  void DirectSolver::solve(BlockFieldVector &vector)
+  const std::vector<double> &DirectSolver::get_schur_complement() const
   {
-    Assert(mumps->factorized, ExcMessage("factorize() comes before solve()."));
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mumps->communicator);
+    return mumps->schur_complement;
+  }
 
-    std::vector<double> everything(mumps->rank == 0 ? vector.size() : 0);
-    const auto          for_each_block = [&](const auto &transfer) {
-      std::size_t offset = 0;
-      for (unsigned int b = 0; b < vector.n_blocks(); ++b)
-      {
-        FieldVector     &block = vector.block(b);
-        const int        count = block.locally_owned_size();
-        const int        begin = block.get_partitioner()->local_range().first;
-        std::vector<int> counts(n_ranks), begins(n_ranks);
-        MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, mumps->communicator);
-        MPI_Gather(&begin, 1, MPI_INT, begins.data(), 1, MPI_INT, 0, mumps->communicator);
-        transfer(block, count, counts, begins, everything.data() + offset);
-        offset += block.size();
-      }
-    };
-    for_each_block([&](FieldVector &block, int count, auto &counts, auto &begins, double *data) {
-      MPI_Gatherv(block.begin(), count, MPI_DOUBLE, data, counts.data(), begins.data(), MPI_DOUBLE,
-                  0, mumps->communicator);
-    });
-    mumps->data.rhs  = everything.data();
-    mumps->data.nrhs = 1;
-    mumps->data.lrhs = vector.size();
-    mumps->run(job_solve);
-    AssertThrow(mumps->data.infog[0] >= 0,
-                ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
-                           std::to_string(mumps->data.infog[0]) + "."));
-    for_each_block([&](FieldVector &block, int count, auto &counts, auto &begins, double *data) {
-      MPI_Scatterv(data, counts.data(), begins.data(), MPI_DOUBLE, block.begin(), count, MPI_DOUBLE,
-                   0, mumps->communicator);
-    });
+  void DirectSolver::condense(std::vector<double> &vector)
+  {
+    const std::size_t n_kept = mumps->kept.size();
+    if (n_kept == 0)
+      return;
+    mumps->solve(vector, 1);
+    std::copy(mumps->kept_values.begin(), mumps->kept_values.end(), vector.end() - n_kept);
+  }
+
+  void DirectSolver::expand(std::vector<double> &vector)
+  {
+    const std::size_t n_kept = mumps->kept.size();
+    std::copy(vector.end() - n_kept, vector.end(), mumps->kept_values.begin());
+    mumps->solve(vector, n_kept == 0 ? 0 : 2);
   }
 
   double DirectSolver::get_factor_entries() const
@@ -210,23 +178,8 @@ namespace caudal
     return entries < 0 ? -1e6 * entries : entries;
   }
 
-  double DirectSolver::get_factorisation_cost() const
+  double DirectSolver::get_factor_operations() const
   {
-    return mumps->data.rinfog[2] / get_factor_entries();
-  }
-
-  bool DirectSolver::is_factorized() const
-  {
-    return mumps->factorized;
-  }
-
-  void DirectSolver::reset()
-  {
-    mumps = std::make_unique<Implementation>(mumps->communicator, mumps->symmetry, mumps->on_root);
-  }
-
-  void DirectSolver::clear()
-  {
-    mumps->factorized = false;
+    return mumps->data.rinfog[2];
   }
 } // namespace caudal

@@ -1,7 +1,7 @@
 #ifndef caudal_app_coupled_system_h
 #define caudal_app_coupled_system_h
 
-#include <caudal/base/direct_solver.h>
+#include <caudal/base/substructured_solver.h>
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/momentum_operator.h>
 
@@ -19,7 +19,6 @@ namespace caudal
     unsigned int largest_number_of_iterations = 40;
     double       augmentation                 = 1e3;
     std::string  reuse                        = "automatic";
-    bool         reproducible                 = false;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -109,7 +108,7 @@ namespace caudal
     const FluidSpace<dim>       &space;
     const MomentumOperator<dim> &momentum;
     TimerOutput                 &timer;
-    DirectSolver                 direct_solver;
+    SubstructuredSolver          direct_solver;
 
     // What decides whether a factorisation is reused.
     unsigned int exact_iterations = 0, n_factorisations = 0;

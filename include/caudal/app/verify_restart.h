@@ -14,7 +14,7 @@ namespace caudal
    * `<Output/Folder>.verify`.
    *
    * The immersed swimmer's checkpoints restart its solver; a third run without a checkpoint must
-   * differ by no more than the solver allows. Its rank 0 factorises alone (Solver/Reproducible).
+   * differ by no more than the solver allows.
    */
   template <class Swimmer>
   std::string verify_restart(const ParameterFile &file, unsigned int n_steps,

@@ -9,57 +9,46 @@
 namespace caudal
 {
   /**
-   * Distributed sparse direct solver: a thin layer over MUMPS (Amestoy et al.
+   * Sparse direct solver of one rank: a thin layer over MUMPS (Amestoy et al.
    * 2001, doi:10.1137/S0895479899358194) that takes the matrix as triplets, so
    * that a matrix composed of several operators never has to be put together.
-   * Every member function is collective over the communicator.
+   *
+   * The last unknowns may be kept out of the elimination. With i for those eliminated and k for
+   * those kept, the factors then stand for
+   *   S = A_kk - A_ki A_ii^-1 A_ik,
+   * and a system is solved by condense(), by the caller's solution with S, and by expand().
    */
   class DirectSolver
   {
   public:
-    enum class Symmetry
-    {
-      general,
-      /** Only entries on and above the diagonal are read. */
-      symmetric
-    };
-
-    /**
-     * @p on_root: rank 0 factorises the matrix of all ranks alone. Several ranks add up in
-     * the order in which their messages arrive, so that round-off differs from run to run.
-     */
-    explicit DirectSolver(MPI_Comm communicator, Symmetry symmetry = Symmetry::general,
-                          bool on_root = false);
+    DirectSolver();
     ~DirectSolver();
 
     /**
-     * Orders and factorises the @p n x @p n matrix that is the sum of all
-     * entries of all ranks (indices from 0; @p entries is left unchanged). Unknowns are
-     * ordered in groups of @p group_size with consecutive indices, such as the components of a
-     * velocity: that is cheaper than one by one.
+     * Orders and factorises the matrix that is the sum of all @p entries (indices from 0).
+     * Unknowns are ordered in groups with consecutive indices, such as the components of a
+     * velocity: that is cheaper than one by one. @p group_begins: their first unknowns, and
+     * behind them the number of all unknowns. The last @p n_kept unknowns, which are whole
+     * groups, are not eliminated; at least one has to be.
      * Throws if the matrix is singular or memory runs out.
      */
-    void factorize(int n, Triplets &entries, unsigned int group_size = 1);
+    void factorize(const std::vector<int> &group_begins, const Triplets &entries,
+                   unsigned int n_kept = 0);
 
-    /** Replaces @p vector, its blocks one after the other, by the solution. */
-    void solve(BlockFieldVector &vector);
+    /** S, row by row. */
+    const std::vector<double> &get_schur_complement() const;
 
-    /** Entries of the factors, over all ranks. */
-    double get_factor_entries() const;
+    /** Replaces the kept part of @p vector by b_k - A_ki A_ii^-1 b_i. */
+    void condense(std::vector<double> &vector);
 
-    bool is_factorized() const;
-
-    /** Forgets the factors. */
-    void clear();
-
-    /** Forgets everything: what is solved next does not depend on what was before. */
-    void reset();
-
-    /**
-     * What a factorisation costs, in units of a solution: estimated by the operations and
-     * entries of the factors, so that equal matrices give equal numbers.
+    /** Replaces @p vector by the solution, of which it has the kept part; comes after condense().
      */
-    double get_factorisation_cost() const;
+    void expand(std::vector<double> &vector);
+
+    /** Entries of the factors. */
+    double get_factor_entries() const;
+    /** Operations for the factors. */
+    double get_factor_operations() const;
 
   private:
     struct Implementation;

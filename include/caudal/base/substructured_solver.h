@@ -1,0 +1,102 @@
+#ifndef caudal_base_substructured_solver_h
+#define caudal_base_substructured_solver_h
+
+#include <caudal/base/direct_solver.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <optional>
+
+namespace caudal
+{
+  /**
+   * Direct solver of all ranks by substructuring (Przemieniecki 1963, doi:10.2514/3.1728): each
+   * rank eliminates the unknowns that no other rank's entries touch, the Schur complements of
+   * all ranks add up to the dense matrix of the interface between them, and every rank
+   * factorises that one. Nothing depends on the order in which messages arrive: equal runs give
+   * equal bits. Every member function is collective over the communicator.
+   */
+  class SubstructuredSolver
+  {
+  public:
+    explicit SubstructuredSolver(MPI_Comm communicator);
+
+    /**
+     * Divides the unknowns that have a place: each rank gives the @p positions of the next ones,
+     * by which they are cut into one strip for each rank. The factors are forgotten.
+     */
+    void set_positions(const std::vector<double> &positions);
+
+    /**
+     * Orders and factorises the @p n x @p n matrix that is the sum of all @p entries of all ranks
+     * (indices from 0, moved to where they are needed). Unknowns behind those with a position
+     * go to where their neighbours are. Groups of @p group_size unknowns, which are at one
+     * position, stay together.
+     * Throws on all ranks if the matrix is singular or memory runs out on one of them.
+     */
+    void factorize(int n, Triplets &entries, unsigned int group_size = 1);
+
+    /**
+     * Replaces @p vector by the solution: the unknowns in their order, block by block and rank
+     * by rank.
+     */
+    void solve(BlockFieldVector &vector);
+
+    /** Entries of the factors, over all ranks. */
+    double get_factor_entries() const
+    {
+      return n_factor_entries;
+    }
+
+    bool is_factorized() const
+    {
+      return factorized;
+    }
+
+    /** Forgets the factors. */
+    void clear()
+    {
+      factorized = false;
+    }
+
+    /** Forgets everything: what is solved next does not depend on what was before. */
+    void reset();
+
+    /**
+     * What a factorisation costs, in units of a solution: estimated by the operations and
+     * entries of the factors, so that equal matrices give equal numbers.
+     */
+    double get_factorisation_cost() const
+    {
+      return factorisation_cost;
+    }
+
+  private:
+    const MPI_Comm     communicator;
+    const unsigned int rank, n_ranks;
+
+    bool   factorized         = false;
+    double n_factor_entries   = 0;
+    double factorisation_cost = 0;
+
+    /** Positions of all ranks' unknowns, and the unknowns in their order. */
+    std::vector<double> positions;
+    std::vector<int>    sorted_unknowns;
+    /** Shares of the ranks in what the strips are estimated to cost. */
+    std::vector<double> shares;
+
+    std::optional<DirectSolver> interior;
+    /** This rank's unknowns: those it eliminates, then those of the interface. */
+    std::vector<int> unknowns;
+    unsigned int     n_interior = 0;
+    /** The whole interface, in the order of its matrix, and the places there of this rank's. */
+    std::vector<int>                 interface_unknowns, interface_places;
+    dealii::LAPACKFullMatrix<double> interface_matrix;
+
+    void factorize_interface(const Triplets &entries);
+    /** Learns from what the elimination took, so that the ranks finish together next time. */
+    void draw_conclusions();
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,379 @@
+#include <caudal/base/substructured_solver.h>
+
+#include <caudal/base/collective.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    struct Entry
+    {
+      int    row, column;
+      double value;
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int /*version*/)
+      {
+        archive &row &column &value;
+      }
+    };
+
+    /** Unknowns in groups: first those of the placed ones, then those of the others. */
+    struct Groups
+    {
+      Groups(const int n_placed, const int n, const int size)
+          : of_unknown(n)
+      {
+        for (int unknown = 0; unknown < n; ++unknown)
+        {
+          if ((unknown < n_placed ? unknown : unknown - n_placed) % size == 0)
+            begins.push_back(unknown);
+          if (unknown == n_placed)
+            n_placed_groups = begins.size() - 1;
+          of_unknown[unknown] = begins.size() - 1;
+        }
+        if (n == n_placed)
+          n_placed_groups = begins.size();
+        begins.push_back(n);
+      }
+
+      int count() const
+      {
+        return begins.size() - 1;
+      }
+
+      int              n_placed_groups = 0;
+      std::vector<int> begins;
+      std::vector<int> of_unknown;
+    };
+
+    /**
+     * The strips of the placed groups, which get the ranks' @p shares of the sum of the cubes of
+     * the numbers of entries in the rows: so the cost of eliminations grows. Groups at one position
+     * share a strip.
+     */
+    void cut_into_strips(const Groups &groups, const std::vector<double> &positions,
+                         const std::vector<int> &sorted_unknowns, const std::vector<double> &shares,
+                         const Triplets &entries, MPI_Comm communicator, std::vector<int> &owner)
+    {
+      std::vector<double> work(groups.n_placed_groups);
+      for (const int row : entries.rows)
+        if (groups.of_unknown[row] < groups.n_placed_groups)
+          work[groups.of_unknown[row]] += 1;
+      Utilities::MPI::sum(work, communicator, work);
+      for (double &one : work)
+        one *= one * one;
+      const double total = std::accumulate(work.begin(), work.end(), 0.);
+      // Positions that differ by round-off are one.
+      const double tolerance =
+          1e-9 * (positions[sorted_unknowns.back()] - positions[sorted_unknowns.front()]);
+      double       sum = 0, limit = total * shares[0];
+      double       last_position = positions[sorted_unknowns.front()];
+      unsigned int strip         = 0;
+      for (const int unknown : sorted_unknowns)
+      {
+        const int group = groups.of_unknown[unknown];
+        if (unknown != groups.begins[group])
+          continue;
+        if (positions[unknown] > last_position + tolerance)
+          while (sum > limit && strip + 1 < shares.size())
+            limit += total * shares[++strip];
+        owner[group]  = strip;
+        last_position = positions[unknown];
+        sum += work[group];
+      }
+    }
+
+    /**
+     * The rank of each group: that of its strip; without a place the highest one among its
+     * neighbours', so that few reach from one rank to another.
+     */
+    std::vector<int> find_owners(const Groups &groups, const std::vector<double> &positions,
+                                 const std::vector<int>    &sorted_unknowns,
+                                 const std::vector<double> &shares, const Triplets &entries,
+                                 MPI_Comm communicator)
+    {
+      constexpr int    none = -1;
+      std::vector<int> owner(groups.count(), none);
+      cut_into_strips(groups, positions, sorted_unknowns, shares, entries, communicator, owner);
+      std::vector<std::pair<int, int>> pairs;
+      for (std::size_t k = 0; k < entries.values.size(); ++k)
+      {
+        const int row    = groups.of_unknown[entries.rows[k]];
+        const int column = groups.of_unknown[entries.columns[k]];
+        if (std::max(row, column) >= groups.n_placed_groups)
+          pairs.emplace_back(row, column);
+      }
+      // Neighbours of neighbours follow, until nothing more is reached.
+      const auto first_free = owner.begin() + groups.n_placed_groups;
+      for (bool some_reached = true; some_reached;)
+      {
+        std::vector<int> reached(first_free, owner.end());
+        const auto       reach = [&](const int group, const int from) {
+          if (owner[group] == none)
+          {
+            int &rank = reached[group - groups.n_placed_groups];
+            rank      = std::max(rank, owner[from]);
+          }
+        };
+        for (const auto &[row, column] : pairs)
+        {
+          reach(row, column);
+          reach(column, row);
+        }
+        Utilities::MPI::max(reached, communicator, reached);
+        some_reached = !std::equal(reached.begin(), reached.end(), first_free);
+        std::copy(reached.begin(), reached.end(), first_free);
+      }
+      std::replace(owner.begin(), owner.end(), none, 0);
+      return owner;
+    }
+
+    /** Moves each entry to the lower one of its row's and column's ranks. */
+    void move_entries(Triplets &entries, const Groups &groups, const std::vector<int> &owner,
+                      MPI_Comm communicator)
+    {
+      const int rank = Utilities::MPI::this_mpi_process(communicator);
+      std::map<unsigned int, std::vector<Entry>> moved;
+      std::size_t                                n_kept = 0;
+      for (std::size_t k = 0; k < entries.values.size(); ++k)
+      {
+        const Entry entry{entries.rows[k], entries.columns[k], entries.values[k]};
+        const int   target =
+            std::min(owner[groups.of_unknown[entry.row]], owner[groups.of_unknown[entry.column]]);
+        if (target != rank)
+          moved[target].push_back(entry);
+        else
+        {
+          entries.rows[n_kept]    = entry.row;
+          entries.columns[n_kept] = entry.column;
+          entries.values[n_kept]  = entry.value;
+          ++n_kept;
+        }
+      }
+      entries.rows.resize(n_kept);
+      entries.columns.resize(n_kept);
+      entries.values.resize(n_kept);
+      for (const auto &[source, received] : Utilities::MPI::some_to_some(communicator, moved))
+        for (const auto &[row, column, value] : received)
+          entries.add(row, column, value);
+    }
+
+    /** Which groups this rank's entries touch. */
+    std::vector<int> find_touched(const Groups &groups, const Triplets &entries)
+    {
+      std::vector<int> touched(groups.count());
+      for (const auto *indices : {&entries.rows, &entries.columns})
+        for (const int unknown : *indices)
+          touched[groups.of_unknown[unknown]] = 1;
+      return touched;
+    }
+
+    /** All ranks' unknowns: each rank's owned ones of a block after those of the rank before. */
+    std::vector<double> collect(const BlockFieldVector &vector)
+    {
+      std::vector<double> values(vector.size());
+      std::size_t         offset = 0;
+      for (unsigned int b = 0; b < vector.n_blocks(); ++b)
+      {
+        const FieldVector &block = vector.block(b);
+        std::copy_n(block.begin(), block.locally_owned_size(),
+                    values.begin() + offset + block.get_partitioner()->local_range().first);
+        offset += block.size();
+      }
+      Utilities::MPI::sum(values, vector.block(0).get_mpi_communicator(), values);
+      return values;
+    }
+
+    void distribute(const std::vector<double> &values, BlockFieldVector &vector)
+    {
+      std::size_t offset = 0;
+      for (unsigned int b = 0; b < vector.n_blocks(); ++b)
+      {
+        FieldVector &block = vector.block(b);
+        std::copy_n(values.begin() + offset + block.get_partitioner()->local_range().first,
+                    block.locally_owned_size(), block.begin());
+        offset += block.size();
+      }
+    }
+  } // namespace
+
+  SubstructuredSolver::SubstructuredSolver(MPI_Comm communicator)
+      : communicator(communicator)
+      , rank(Utilities::MPI::this_mpi_process(communicator))
+      , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
+      , shares(n_ranks, 1. / n_ranks)
+  {}
+
+  void SubstructuredSolver::reset()
+  {
+    interior.reset();
+    shares.assign(n_ranks, 1. / n_ranks);
+    clear();
+  }
+
+  void SubstructuredSolver::set_positions(const std::vector<double> &new_positions)
+  {
+    clear();
+    positions.clear();
+    for (const auto &part : Utilities::MPI::all_gather(communicator, new_positions))
+      positions.insert(positions.end(), part.begin(), part.end());
+    sorted_unknowns.resize(positions.size());
+    std::iota(sorted_unknowns.begin(), sorted_unknowns.end(), 0);
+    std::stable_sort(sorted_unknowns.begin(), sorted_unknowns.end(),
+                     [&](const int a, const int b) { return positions[a] < positions[b]; });
+  }
+
+  void SubstructuredSolver::factorize(const int n, Triplets &entries, const unsigned int group_size)
+  {
+    factorized = false;
+    const Groups groups(positions.size(), n, group_size);
+    if (n_ranks > 1)
+      move_entries(entries, groups,
+                   find_owners(groups, positions, sorted_unknowns, shares, entries, communicator),
+                   communicator);
+    const std::vector<int> touched = find_touched(groups, entries);
+    std::vector<int>       n_touching(touched);
+    Utilities::MPI::sum(n_touching, communicator, n_touching);
+
+    unknowns.clear();
+    interface_unknowns.clear();
+    interface_places.clear();
+    std::vector<int> group_begins, place(n);
+    const auto       add = [&](const int group) {
+      group_begins.push_back(unknowns.size());
+      for (int unknown = groups.begins[group]; unknown < groups.begins[group + 1]; ++unknown)
+      {
+        place[unknown] = unknowns.size();
+        unknowns.push_back(unknown);
+      }
+    };
+    for (int group = 0; group < groups.count(); ++group)
+      if (n_touching[group] == 1 && touched[group])
+        add(group);
+    n_interior = unknowns.size();
+    for (int group = 0; group < groups.count(); ++group)
+      if (n_touching[group] > 1)
+      {
+        if (touched[group])
+          add(group);
+        for (int unknown = groups.begins[group]; unknown < groups.begins[group + 1]; ++unknown)
+        {
+          if (touched[group])
+            interface_places.push_back(interface_unknowns.size());
+          interface_unknowns.push_back(unknown);
+        }
+      }
+    group_begins.push_back(unknowns.size());
+    for (auto *indices : {&entries.rows, &entries.columns})
+      for (int &index : *indices)
+        index = place[index];
+
+    run_on_all(communicator, [&]() {
+      if (n_interior == 0)
+        return;
+      if (!interior)
+        interior.emplace();
+      interior->factorize(group_begins, entries, interface_places.size());
+    });
+    if (!interface_unknowns.empty())
+      factorize_interface(entries);
+    draw_conclusions();
+    factorized = true;
+  }
+
+  void SubstructuredSolver::factorize_interface(const Triplets &entries)
+  {
+    const std::size_t   n_own = interface_places.size(), n = interface_unknowns.size();
+    std::vector<double> sum(n * n);
+    const auto add = [&](const std::size_t row, const std::size_t column, const double value) {
+      sum[interface_places[row] * n + interface_places[column]] += value;
+    };
+    if (n_interior == 0)
+      for (std::size_t k = 0; k < entries.values.size(); ++k)
+        add(entries.rows[k], entries.columns[k], entries.values[k]);
+    else
+      for (std::size_t i = 0; i < n_own; ++i)
+        for (std::size_t j = 0; j < n_own; ++j)
+          add(i, j, interior->get_schur_complement()[i * n_own + j]);
+    Utilities::MPI::sum(sum, communicator, sum);
+
+    interface_matrix.reinit(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        interface_matrix.set(i, j, sum[i * n + j]);
+    try
+    {
+      interface_matrix.compute_lu_factorization();
+    }
+    catch (const LACExceptions::ExcSingular &)
+    {
+      AssertThrow(false, ExcMessage("The direct solver could not factorise the interface of the "
+                                    "ranks: its matrix is singular."));
+    }
+  }
+
+  void SubstructuredSolver::draw_conclusions()
+  {
+    const double n          = interface_unknowns.size();
+    const double entries    = n_interior > 0 ? interior->get_factor_entries() : 0;
+    const double operations = n_interior > 0 ? interior->get_factor_operations() : 0;
+    n_factor_entries        = Utilities::MPI::sum(entries, communicator) + n * n;
+    factorisation_cost = (Utilities::MPI::max(operations, communicator) + 2. / 3. * n * n * n) /
+                         (Utilities::MPI::max(entries, communicator) + n * n);
+
+    // A part of the way, as each cut has other factors.
+    const std::vector<double> all  = Utilities::MPI::all_gather(communicator, operations);
+    const double              mean = std::accumulate(all.begin(), all.end(), 0.) / n_ranks;
+    double                    sum  = 0;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      sum += shares[r] *= std::pow((mean + 1) / (all[r] + 0.1 * mean + 1), 0.25);
+    for (double &share : shares)
+      share /= sum;
+  }
+
+  void SubstructuredSolver::solve(BlockFieldVector &vector)
+  {
+    Assert(factorized, ExcMessage("factorize() comes before solve()."));
+    std::vector<double> everything = collect(vector);
+    std::vector<double> values(unknowns.size());
+    for (unsigned int k = 0; k < n_interior; ++k)
+      values[k] = everything[unknowns[k]];
+    run_on_all(communicator, [&]() {
+      if (n_interior > 0)
+        interior->condense(values);
+    });
+
+    Vector<double> at_interface(interface_unknowns.size());
+    for (unsigned int k = 0; k < interface_places.size(); ++k)
+      at_interface[interface_places[k]] = values[n_interior + k];
+    Utilities::MPI::sum(at_interface, communicator, at_interface);
+    for (unsigned int k = 0; k < at_interface.size(); ++k)
+      at_interface[k] += everything[interface_unknowns[k]];
+    if (!interface_unknowns.empty())
+      interface_matrix.solve(at_interface);
+    for (unsigned int k = 0; k < interface_places.size(); ++k)
+      values[n_interior + k] = at_interface[interface_places[k]];
+    run_on_all(communicator, [&]() {
+      if (n_interior > 0)
+        interior->expand(values);
+    });
+
+    // Each unknown is told by one rank.
+    std::fill(everything.begin(), everything.end(), 0.);
+    for (unsigned int k = 0; k < n_interior; ++k)
+      everything[unknowns[k]] = values[k];
+    if (rank == 0)
+      for (unsigned int k = 0; k < at_interface.size(); ++k)
+        everything[interface_unknowns[k]] = at_interface[k];
+    Utilities::MPI::sum(everything, communicator, everything);
+    distribute(everything, vector);
+  }
+} // namespace caudal

@@ -1,0 +1,110 @@
+// The direct solver on one to three ranks: a chain of groups of two that the ranks share, three
+// unknowns that all ranks hold and whose entries rank 0 has (one reaches over the ranks' border,
+// one is known to the others only, one to nobody), entries given in parts by several ranks. The
+// solution is the one the right hand side was made of; equal solutions have equal bits; a
+// singular matrix is an error of all ranks.
+
+#include <caudal/base/substructured_solver.h>
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace caudal;
+using namespace dealii;
+
+namespace
+{
+  constexpr int n_chain = 24, n_free = 3, n = n_chain + n_free;
+
+  /** The matrix; each rank has the rows of its part of the chain, rank 0 those of the others. */
+  Triplets make_entries(const IndexSet &owned, const bool is_root, const double middle)
+  {
+    Triplets entries;
+    for (const int i : owned)
+      for (int j = std::max(0, i - 2); j < std::min(n_chain, i + 3); ++j)
+        entries.add(i, j, i == j ? 5 + 0.1 * i : 1. / (1 + i - j + 4));
+    for (const int i : owned)
+      if (std::abs(i - n_chain / 2) < 2 && middle != 0)
+      {
+        entries.add(i, n_chain, middle);
+        entries.add(n_chain, i, 0.5 * middle); // a part of it
+        entries.add(n_chain, i, 0.5 * middle);
+      }
+    if (is_root)
+    {
+      entries.add(n_chain, n_chain + 1, 2);
+      entries.add(n_chain + 1, n_chain, -1);
+      entries.add(n_chain + 1, n_chain + 1, 3);
+      entries.add(n_chain + 2, n_chain + 2, middle);
+    }
+    return entries;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MPI_Comm                   communicator = MPI_COMM_WORLD;
+  const int                        rank         = Utilities::MPI::this_mpi_process(communicator);
+  const int                        n_ranks      = Utilities::MPI::n_mpi_processes(communicator);
+  ConditionalOStream               out(std::cout, rank == 0);
+
+  IndexSet owned(n_chain), held(n_free);
+  owned.add_range(rank * n_chain / n_ranks, (rank + 1) * n_chain / n_ranks);
+  if (rank == 0)
+    held.add_range(0, n_free);
+  const auto get_solution = [](const int i) { return std::sin(1. + i); };
+
+  SubstructuredSolver           solver(communicator);
+  std::vector<BlockFieldVector> solutions;
+  for (const double middle : {1., 4., 4.})
+  {
+    Triplets entries = make_entries(owned, rank == 0, middle);
+    // The right hand side: all ranks' products with the solution.
+    std::vector<double> rhs(n);
+    for (std::size_t k = 0; k < entries.values.size(); ++k)
+      rhs[entries.rows[k]] += entries.values[k] * get_solution(entries.columns[k]);
+    Utilities::MPI::sum(rhs, communicator, rhs);
+
+    BlockFieldVector vector(2);
+    vector.block(0).reinit(owned, communicator);
+    vector.block(1).reinit(held, communicator);
+    vector.collect_sizes();
+    for (const auto i : owned)
+      vector.block(0)[i] = rhs[i];
+    for (const auto i : held)
+      vector.block(1)[i] = rhs[n_chain + i];
+
+    solver.set_positions(std::vector<double>(owned.begin(), owned.end()));
+    solver.factorize(n, entries, 2);
+    solver.solve(vector);
+    double error = 0;
+    for (const auto i : owned)
+      error = std::max(error, std::abs(vector.block(0)[i] - get_solution(i)));
+    for (const auto i : held)
+      error = std::max(error, std::abs(vector.block(1)[i] - get_solution(n_chain + i)));
+    out << "middle " << middle << ": right " << (Utilities::MPI::max(error, communicator) < 1e-12)
+        << std::endl;
+    solutions.push_back(vector);
+    solver.reset();
+  }
+  bool equal = true;
+  for (const unsigned int b : {0, 1})
+    equal &= std::equal(solutions[1].block(b).begin(), solutions[1].block(b).end(),
+                        solutions[2].block(b).begin());
+  out << "equal bits " << (Utilities::MPI::min<int>(equal, communicator) == 1) << std::endl;
+
+  Triplets entries = make_entries(owned, rank == 0, 0);
+  try
+  {
+    solver.factorize(n, entries, 2);
+    out << "not noticed" << std::endl;
+  }
+  catch (ExceptionBase &)
+  {
+    const int n_told = Utilities::MPI::sum(1, communicator);
+    out << "singular, said by " << (n_told == n_ranks ? "all" : "some") << std::endl;
+  }
+}
