@@ -56,9 +56,9 @@ namespace caudal
     take(body);
   }
 
-  void PotentialSwim::advance()
+  BodyState PotentialSwim::integrate() const
   {
-    take(advance_motion(problem, state.last.body, state.last.time, instants.times[next]));
+    return advance_motion(problem, state.last.body, state.last.time, instants.times[next]);
   }
 
   void PotentialSwim::take(const BodyState &body)

@@ -266,7 +266,15 @@ namespace caudal
         !uses_table() && Utilities::MPI::this_mpi_process(communicator) == 0;
     while (!swim.is_at_end() && !stop_requested() && !checkpoints.is_out_of_time())
     {
-      swim.advance();
+      BodyState         body;
+      const std::string error = catch_error([&]() { body = swim.integrate(); });
+      if (!error.empty())
+      {
+        write_checkpoint();
+        AssertThrow(false, ExcMessage(error + " The last state, t = " + std::to_string(state.time) +
+                                      " s, is kept: caudal --resume " + folder.path() + "."));
+      }
+      swim.take(body);
       state.time = swim_state.last.time;
       ++state.step_number;
       if (shows_progress)

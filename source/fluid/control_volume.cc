@@ -5,6 +5,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <map>
+
 namespace caudal
 {
   namespace
@@ -106,32 +108,56 @@ namespace caudal
       }
     };
 
-    /** rho int_V u, and the work of the body force: int_V f. */
+    /** rho int_V u of this rank's cells */
     template <int dim>
-    MomentumBalance<dim> integrate_volume(const FluidSpace<dim> &space,
-                                          const FluidState<dim> &state, const BoundingBox<dim> &box,
-                                          const double time)
+    Tensor<1, dim> integrate_momentum(const FluidSpace<dim> &space, const FieldVector &velocity,
+                                      const BoundingBox<dim> &box)
     {
-      const double                     density = space.get_parameters().density;
-      BodyForce<dim>                   body_force(space.get_parameters(), time);
-      const QGauss<dim>                quadrature(space.velocity_element.degree + 1);
-      const FEValuesExtractors::Vector components(0);
-      FEValues<dim>                    values(space.velocity_element, quadrature,
-                                              update_values | update_quadrature_points | update_JxW_values);
-      std::vector<Tensor<1, dim>>      velocity(quadrature.size());
-      MomentumBalance<dim>             balance;
+      const FESystem<dim> &element = space.velocity_element;
+      const unsigned int   n = element.n_dofs_per_cell(), n_s = n / dim;
+      Vector<double>       values(n), one(n_s);
+      one = 1;
+      std::map<int, Vector<double>> integrals; // of the shape functions, by level
+      Tensor<1, dim>                momentum;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned() && is_in(box, *cell))
         {
-          values.reinit(cell);
-          values[components].get_function_values(state.velocity, velocity);
-          for (const unsigned int q : values.quadrature_point_indices())
+          Vector<double> &integral = integrals[cell->level()];
+          if (integral.size() == 0)
           {
-            balance.momentum += density * velocity[q] * values.JxW(q);
-            balance.force += body_force.value(values.quadrature_point(q)) * values.JxW(q);
+            integral.reinit(n_s);
+            space.get_cell_matrices(cell->level()).get_mass().vmult(integral, one);
+          }
+          cell->get_dof_values(velocity, values);
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            const auto [component, shape] = element.system_to_component_index(i);
+            momentum[component] += integral[shape] * values[i];
           }
         }
-      return balance;
+      return space.get_parameters().density * momentum;
+    }
+
+    /** int_V f of this rank's cells */
+    template <int dim>
+    Tensor<1, dim> integrate_body_force(const FluidSpace<dim> &space, const BoundingBox<dim> &box,
+                                        const double time)
+    {
+      Tensor<1, dim> force;
+      BodyForce<dim> body_force(space.get_parameters(), time);
+      if (body_force.is_zero())
+        return force;
+      const QGauss<dim> quadrature(space.velocity_element.degree + 1);
+      FEValues<dim>     values(space.velocity_element, quadrature,
+                               update_quadrature_points | update_JxW_values);
+      for (const auto &cell : space.get_triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && is_in(box, *cell))
+        {
+          values.reinit(cell);
+          for (const unsigned int q : values.quadrature_point_indices())
+            force += body_force.value(values.quadrature_point(q)) * values.JxW(q);
+        }
+      return force;
     }
   } // namespace
 
@@ -140,8 +166,10 @@ namespace caudal
                                                 const FluidState<dim>  &state,
                                                 const BoundingBox<dim> &box, const double time)
   {
-    MomentumBalance<dim> balance = integrate_volume(space, state, box, time);
-    SurfaceForce<dim>    surface(space, state);
+    MomentumBalance<dim> balance;
+    balance.momentum = integrate_momentum(space, state.velocity, box);
+    balance.force    = integrate_body_force(space, box, time);
+    SurfaceForce<dim> surface(space, state);
     for (const auto &cell : space.get_triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
       {

@@ -95,3 +95,9 @@ caudal fish.prm -D "Output/Folder=still" -D "Integration/Torques=false" -D "Gait
 check "a reciprocal stroke does not swim" "$(result still "displacement a stroke [cm]") / $stroke < 1e-5"
 
 "$CAUDAL" --print-parameters fish.prm | grep -q "set Cells across" && echo "its own parameters are printed"
+
+# A motion that can't go on: its last state is kept.
+"$CAUDAL" fish.prm -D "Output/Folder=stiff" -D "Integration/Method=brute force" -D "Time/End time=1" \
+  -D Resistance/Active=true -D "Resistance/Friction coefficient=1e9" 2>errors >printed
+echo "exit code $?: $(sed 's/[0-9][0-9.]* s\b/... s/g' errors)"
+ls stiff/restart

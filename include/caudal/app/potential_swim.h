@@ -26,8 +26,11 @@ namespace caudal
     /** Takes the first instant. Collective. */
     void start(const potential::Screw &impulse);
 
-    /** Swims to the next instant. Collective. */
-    void advance();
+    /** The motion at the next instant; changes nothing. Collective. */
+    potential::BodyState integrate() const;
+
+    /** Swims there: @p body becomes the state, which is accounted for and output. Collective. */
+    void take(const potential::BodyState &body);
 
     bool is_at_end() const
     {
@@ -35,8 +38,6 @@ namespace caudal
     }
 
   private:
-    void take(const potential::BodyState &body);
-
     const potential::MotionProblem &problem;
     const Instants                 &instants;
     const bool                      has_torques;
