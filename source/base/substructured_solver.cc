@@ -13,6 +13,12 @@ namespace caudal
 {
   namespace
   {
+    /**
+     * What an unknown costs beside the operations of its elimination, in units of these: 5.3e-6 s
+     * over 9.6e-11 s, by factorisations of 8,000 to 130,000 unknowns (OpenBLAS, one core).
+     */
+    constexpr double operations_per_unknown = 5.5e4;
+
     struct Entry
     {
       int    row, column;
@@ -55,9 +61,9 @@ namespace caudal
     };
 
     /**
-     * The strips of the placed groups, which get the ranks' @p shares of the sum of the cubes of
-     * the numbers of entries in the rows: so the cost of eliminations grows. Groups at one position
-     * share a strip.
+     * The strips of the placed groups, which get the ranks' @p shares of the estimated cost: it
+     * grows with the cube of the number of entries in a row. Groups at one position share a
+     * strip.
      */
     void cut_into_strips(const Groups &groups, const std::vector<double> &positions,
                          const std::vector<int> &sorted_unknowns, const std::vector<double> &shares,
@@ -68,8 +74,13 @@ namespace caudal
         if (groups.of_unknown[row] < groups.n_placed_groups)
           work[groups.of_unknown[row]] += 1;
       Utilities::MPI::sum(work, communicator, work);
-      for (double &one : work)
-        one *= one * one;
+      for (int group = 0; group < groups.n_placed_groups; ++group)
+      {
+        const double n_unknowns = groups.begins[group + 1] - groups.begins[group];
+        const double row_length = work[group] / n_unknowns;
+        work[group] =
+            n_unknowns * (operations_per_unknown + 0.5 * row_length * row_length * row_length);
+      }
       const double total = std::accumulate(work.begin(), work.end(), 0.);
       // Positions that differ by round-off are one.
       const double tolerance =
@@ -330,11 +341,12 @@ namespace caudal
                          (Utilities::MPI::max(entries, communicator) + n * n);
 
     // A part of the way, as each cut has other factors.
-    const std::vector<double> all  = Utilities::MPI::all_gather(communicator, operations);
-    const double              mean = std::accumulate(all.begin(), all.end(), 0.) / n_ranks;
-    double                    sum  = 0;
+    const std::vector<double> all = Utilities::MPI::all_gather(
+        communicator, operations + operations_per_unknown * unknowns.size());
+    const double mean = std::accumulate(all.begin(), all.end(), 0.) / n_ranks;
+    double       sum  = 0;
     for (unsigned int r = 0; r < n_ranks; ++r)
-      sum += shares[r] *= std::pow((mean + 1) / (all[r] + 0.1 * mean + 1), 0.25);
+      sum += shares[r] *= std::pow(mean / (all[r] + 0.1 * mean), 0.25);
     for (double &share : shares)
       share /= sum;
   }
