@@ -172,6 +172,11 @@ namespace caudal
     mumps->solve(vector, n_kept == 0 ? 0 : 2);
   }
 
+  unsigned int DirectSolver::get_n_delayed_pivots() const
+  {
+    return mumps->data.infog[12];
+  }
+
   double DirectSolver::get_factor_entries() const
   {
     const double entries = mumps->data.infog[28];

@@ -45,6 +45,9 @@ namespace caudal
      */
     void expand(std::vector<double> &vector);
 
+    /** Pivots that were too small where the order had them, and came later. */
+    unsigned int get_n_delayed_pivots() const;
+
     /** Entries of the factors. */
     double get_factor_entries() const;
     /** Operations for the factors. */

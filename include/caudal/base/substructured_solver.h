@@ -13,8 +13,10 @@ namespace caudal
    * Direct solver of all ranks by substructuring (Przemieniecki 1963, doi:10.2514/3.1728): each
    * rank eliminates the unknowns that no other rank's entries touch, the Schur complements of
    * all ranks add up to the dense matrix of the interface between them, and every rank
-   * factorises that one. Nothing depends on the order in which messages arrive: equal runs give
-   * equal bits. Every member function is collective over the communicator.
+   * factorises that one. Where a strip of its own has no sound pivots, as with bodies whose nodes
+   * are closer than the fluid's, rank 0 eliminates all unknowns. Nothing depends on the order in
+   * which messages arrive: equal runs give equal bits. Every member function is collective over the
+   * communicator.
    */
   class SubstructuredSolver
   {
@@ -29,12 +31,12 @@ namespace caudal
 
     /**
      * Orders and factorises the @p n x @p n matrix that is the sum of all @p entries of all ranks
-     * (indices from 0, moved to where they are needed). Unknowns behind those with a position
+     * (indices from 0). Unknowns behind those with a position
      * go to where their neighbours are. Groups of @p group_size unknowns, which are at one
      * position, stay together.
      * Throws on all ranks if the matrix is singular or memory runs out on one of them.
      */
-    void factorize(int n, Triplets &entries, unsigned int group_size = 1);
+    void factorize(int n, const Triplets &entries, unsigned int group_size = 1);
 
     /**
      * Replaces @p vector by the solution: the unknowns in their order, block by block and rank
@@ -82,6 +84,8 @@ namespace caudal
     /** Positions of all ranks' unknowns, and the unknowns in their order. */
     std::vector<double> positions;
     std::vector<int>    sorted_unknowns;
+    /** Whether each rank has a strip; else rank 0 has all. */
+    bool in_strips;
     /** Shares of the ranks in what the strips are estimated to cost. */
     std::vector<double> shares;
 
@@ -93,6 +97,8 @@ namespace caudal
     std::vector<int>                 interface_unknowns, interface_places;
     dealii::LAPACKFullMatrix<double> interface_matrix;
 
+    /** Returns whether the strips, if there are some, have sound pivots. */
+    bool try_to_factorize(int n, const Triplets &entries, unsigned int group_size);
     void factorize_interface(const Triplets &entries);
     /** Learns from what the elimination took, so that the ranks finish together next time. */
     void draw_conclusions();
