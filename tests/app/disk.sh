@@ -36,8 +36,9 @@ EOF
 
 # What the run said, without what depends on the moment.
 say() {
-  sed "s/step [0-9]*/step .../; s/fields.[a-z]*-[0-9]*/fields.../; s/^/    /
-       s/\(can't be written to <results.restart>: \).*\. There is no/\1.... There is no/" errors
+  sed "s/step [0-9]*/step .../; s/fields.[a-z]*-[0-9]*/fields.../; s/: the folder <results> is gone/: .../
+       s/: <results.restart.*No such file or directory/: .../; s/>: No such file or directory/>: .../; s/^/    /
+       s/\(<results.restart>: \)\(<results.restart.* \)\{0,1\}\(File exists\|Not a directory\)\. /\1not a folder. /" errors
 }
 
 # start OPTIONS: starts the run, waits for its second checkpoint and stops it between two.
