@@ -203,21 +203,7 @@ namespace caudal
       SubstructuredSolver         &direct_solver;
       const double                 augmentation, scale;
     };
-  } // namespace
 
-  template <int dim>
-  CoupledSystem<dim>::CoupledSystem(const SolverParameters      &parameters,
-                                    const FluidSpace<dim>       &space,
-                                    const MomentumOperator<dim> &momentum, TimerOutput &timer)
-      : parameters(parameters)
-      , space(space)
-      , momentum(momentum)
-      , timer(timer)
-      , direct_solver(space.get_communicator())
-  {}
-
-  namespace
-  {
     /**
      * For each of this rank's velocity unknowns the centre, in the direction in which the cells
      * extend most, of the last cell that has it: between two positions lies a face.
@@ -265,9 +251,26 @@ namespace caudal
   } // namespace
 
   template <int dim>
+  CoupledSystem<dim>::CoupledSystem(const SolverParameters      &parameters,
+                                    const FluidSpace<dim>       &space,
+                                    const MomentumOperator<dim> &momentum, TimerOutput &timer)
+      : parameters(parameters)
+      , space(space)
+      , momentum(momentum)
+      , timer(timer)
+      , direct_solver(space.get_communicator())
+  {}
+
+  template <int dim>
   void CoupledSystem<dim>::reinit()
   {
     direct_solver.set_positions(get_positions(space.velocity_dofs));
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::forget_factorisation()
+  {
+    direct_solver.clear();
   }
 
   template <int dim>

@@ -169,7 +169,7 @@ namespace caudal
     set_up_operators();
     project(system.fluid.velocity, step);
     project(system.fluid.old_velocity, step);
-    system.coupled_system.reinit();
+    system.coupled_system.forget_factorisation();
 
     const auto after             = summarise_flow(space, system.fluid.velocity);
     report.kinetic_energy_change = after.kinetic_energy - before.kinetic_energy;

@@ -75,8 +75,11 @@ namespace caudal
       BodyEquations                  *equations;
     };
 
-    /** Forgets the factorisation, after a change of the grid. */
+    /** Divides the unknowns among the ranks anew, after a change of the grid. */
     void reinit();
+
+    /** The next system is another one, even in its size. */
+    void forget_factorisation();
 
     /** Forgets also what was learnt: the coming steps do not depend on those before. */
     void forget_history();

@@ -41,8 +41,7 @@ namespace caudal
     /** Replaces the kept part of @p vector by b_k - A_ki A_ii^-1 b_i. */
     void condense(std::vector<double> &vector);
 
-    /** Replaces @p vector by the solution, of which it has the kept part; comes after condense().
-     */
+    /** Replaces @p vector, which has the kept part of the solution, by all; after condense(). */
     void expand(std::vector<double> &vector);
 
     /** Pivots that were too small where the order had them, and came later. */

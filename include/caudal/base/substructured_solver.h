@@ -31,9 +31,8 @@ namespace caudal
 
     /**
      * Orders and factorises the @p n x @p n matrix that is the sum of all @p entries of all ranks
-     * (indices from 0). Unknowns behind those with a position
-     * go to where their neighbours are. Groups of @p group_size unknowns, which are at one
-     * position, stay together.
+     * (indices from 0). Unknowns behind those with a position go to where their neighbours are.
+     * Groups of @p group_size unknowns, which are at one position, stay together.
      * Throws on all ranks if the matrix is singular or memory runs out on one of them.
      */
     void factorize(int n, const Triplets &entries, unsigned int group_size = 1);
