@@ -76,45 +76,13 @@ namespace caudal
       data.blkptr = begins.data();
     }
 
-    void set_kept(const unsigned int n_kept)
-    {
-      set_control(19, n_kept > 0 ? 1 : 0);
-      set_control(24, n_kept > 0 ? 1 : 0); // else a singular eliminated part would pass unnoticed
-      kept.resize(n_kept);
-      for (unsigned int k = 0; k < n_kept; ++k)
-        kept[k] = data.n - n_kept + k + 1;
-      schur_complement.resize(static_cast<std::size_t>(n_kept) * n_kept);
-      kept_values.resize(n_kept);
-      data.size_schur    = n_kept;
-      data.listvar_schur = kept.data();
-      data.schur         = schur_complement.data();
-      data.redrhs        = kept_values.data();
-      data.lredrhs       = n_kept;
-    }
-
-    /** @p phase of the solution: 0 all of it, 1 condensation, 2 expansion. */
-    void solve(std::vector<double> &vector, const int phase)
-    {
-      Assert(static_cast<int>(vector.size()) == data.n,
-             ExcDimensionMismatch(vector.size(), data.n));
-      set_control(26, phase);
-      data.rhs  = vector.data();
-      data.nrhs = 1;
-      data.lrhs = data.n;
-      run(job_solve);
-      AssertThrow(data.infog[0] >= 0,
-                  ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
-                             std::to_string(data.infog[0]) + "."));
-    }
-
     void set_control(const int number, const int value)
     {
       data.icntl[number - 1] = value;
     }
 
-    DMUMPS_STRUC_C      data{};
-    std::vector<int>    rows, columns, begins, kept;
-    std::vector<double> schur_complement, kept_values;
+    DMUMPS_STRUC_C   data{};
+    std::vector<int> rows, columns, begins;
   };
 
   DirectSolver::DirectSolver()
@@ -123,13 +91,11 @@ namespace caudal
 
   DirectSolver::~DirectSolver() = default;
 
-  void DirectSolver::factorize(const std::vector<int> &group_begins, const Triplets &entries,
-                               const unsigned int n_kept)
+  void DirectSolver::factorize(const std::vector<int> &group_begins, const Triplets &entries)
   {
     DMUMPS_STRUC_C &data = mumps->data;
     mumps->set_matrix(entries);
     mumps->set_groups(group_begins);
-    mumps->set_kept(n_kept);
     // Approximate minimum fill: nested dissection (PORD) saves a fifth of the operations in
     // larger systems and takes longer than that.
     mumps->set_control(7, 2);
@@ -141,40 +107,25 @@ namespace caudal
       if (data.infog[0] != -8 && data.infog[0] != -9)
         break;
     }
-    const bool is_singular = n_kept > 0 && data.infog[27] > 0;
-    AssertThrow(
-        data.infog[0] >= 0 && !is_singular,
-        ExcMessage("The direct solver (MUMPS) could not factorise the " + std::to_string(data.n) +
-                   " x " + std::to_string(data.n) +
-                   " matrix: INFOG(1) = " + std::to_string(is_singular ? -10 : data.infog[0]) +
-                   ", INFOG(2) = " + std::to_string(data.infog[1]) +
-                   " (-10: singular, -13: out of memory)."));
+    AssertThrow(data.infog[0] >= 0,
+                ExcMessage("The direct solver (MUMPS) could not factorise the " +
+                           std::to_string(data.n) + " x " + std::to_string(data.n) +
+                           " matrix: INFOG(1) = " + std::to_string(data.infog[0]) +
+                           ", INFOG(2) = " + std::to_string(data.infog[1]) +
+                           " (-10: singular, -13: out of memory)."));
   }
 
-  const std::vector<double> &DirectSolver::get_schur_complement() const
+  void DirectSolver::solve(std::vector<double> &vector)
   {
-    return mumps->schur_complement;
-  }
-
-  void DirectSolver::condense(std::vector<double> &vector)
-  {
-    const std::size_t n_kept = mumps->kept.size();
-    if (n_kept == 0)
-      return;
-    mumps->solve(vector, 1);
-    std::copy(mumps->kept_values.begin(), mumps->kept_values.end(), vector.end() - n_kept);
-  }
-
-  void DirectSolver::expand(std::vector<double> &vector)
-  {
-    const std::size_t n_kept = mumps->kept.size();
-    std::copy(vector.end() - n_kept, vector.end(), mumps->kept_values.begin());
-    mumps->solve(vector, n_kept == 0 ? 0 : 2);
-  }
-
-  unsigned int DirectSolver::get_n_delayed_pivots() const
-  {
-    return mumps->data.infog[12];
+    DMUMPS_STRUC_C &data = mumps->data;
+    AssertDimension(static_cast<int>(vector.size()), data.n);
+    data.rhs  = vector.data();
+    data.nrhs = 1;
+    data.lrhs = data.n;
+    mumps->run(job_solve);
+    AssertThrow(data.infog[0] >= 0,
+                ExcMessage("The direct solver (MUMPS) failed in the solution phase: INFOG(1) = " +
+                           std::to_string(data.infog[0]) + "."));
   }
 
   double DirectSolver::get_factor_entries() const

@@ -14,16 +14,10 @@ namespace caudal
   namespace
   {
     /**
-     * What an unknown costs beside the operations of its elimination, in units of these: 5.3e-6 s
-     * over 9.6e-11 s, by factorisations of 8,000 to 130,000 unknowns (OpenBLAS, one core).
+     * What an unknown costs beside the operations of its elimination, in units of these: 1.5e-6 s
+     * over 5.2e-11 s, by factorisations of 26,000 and 128,000 unknowns (OpenBLAS, one core).
      */
-    constexpr double operations_per_unknown = 5.5e4;
-
-    /**
-     * Where more pivots than this part are delayed, those that are not are poor as well. Schools of
-     * bodies with nodes 0.36 cells apart: 9 %, and 13 to 40 iterations; else none, and 1 to 4.
-     */
-    constexpr double largest_part_delayed = 0.01;
+    constexpr double operations_per_unknown = 2.8e4;
 
     struct Entry
     {
@@ -219,22 +213,21 @@ namespace caudal
       : communicator(communicator)
       , rank(Utilities::MPI::this_mpi_process(communicator))
       , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
-      , in_strips(n_ranks > 1)
       , shares(n_ranks, 1. / n_ranks)
   {}
 
   void SubstructuredSolver::reset()
   {
-    interior.reset();
+    exchanging_solver.reset();
     shares.assign(n_ranks, 1. / n_ranks);
-    in_strips = n_ranks > 1;
+    in_strips = true;
     clear();
   }
 
   void SubstructuredSolver::set_positions(const std::vector<double> &new_positions)
   {
     clear();
-    in_strips = n_ranks > 1;
+    in_strips = true;
     positions.clear();
     for (const auto &part : Utilities::MPI::all_gather(communicator, new_positions))
       positions.insert(positions.end(), part.begin(), part.end());
@@ -306,18 +299,25 @@ namespace caudal
       for (int &index : *indices)
         index = place[index];
 
+    bool            is_sound    = true;
+    const Triplets &all_entries = n_ranks > 1 ? own : entries;
     run_on_all(communicator, [&]() {
       if (n_interior == 0)
         return;
-      if (!interior)
-        interior.emplace();
-      interior->factorize(group_begins, n_ranks > 1 ? own : entries, interface_places.size());
+      if (in_strips)
+        is_sound = interior.factorize(group_begins, all_entries, interface_places.size());
+      else
+      {
+        if (!exchanging_solver)
+          exchanging_solver.emplace();
+        exchanging_solver->factorize(group_begins, all_entries);
+      }
     });
+    if (Utilities::MPI::min(static_cast<int>(is_sound), communicator) == 0)
+      return false;
     if (!interface_unknowns.empty())
       factorize_interface(own);
-    const bool is_unsound =
-        n_interior > 0 && interior->get_n_delayed_pivots() > largest_part_delayed * n_interior;
-    return !in_strips || Utilities::MPI::max(static_cast<int>(is_unsound), communicator) == 0;
+    return true;
   }
 
   void SubstructuredSolver::factorize_interface(const Triplets &entries)
@@ -333,7 +333,7 @@ namespace caudal
     else
       for (std::size_t i = 0; i < n_own; ++i)
         for (std::size_t j = 0; j < n_own; ++j)
-          add(i, j, interior->get_schur_complement()[i * n_own + j]);
+          add(i, j, interior.get_schur_complement()[i * n_own + j]);
     Utilities::MPI::sum(sum, communicator, sum);
 
     interface_matrix.reinit(n);
@@ -353,14 +353,19 @@ namespace caudal
 
   void SubstructuredSolver::draw_conclusions()
   {
-    const double n          = interface_unknowns.size();
-    const double entries    = n_interior > 0 ? interior->get_factor_entries() : 0;
-    const double operations = n_interior > 0 ? interior->get_factor_operations() : 0;
-    n_factor_entries        = Utilities::MPI::sum(entries, communicator) + n * n;
+    const double n       = interface_unknowns.size();
+    double       entries = 0, operations = 0;
+    if (n_interior > 0)
+    {
+      entries = in_strips ? interior.get_factor_entries() : exchanging_solver->get_factor_entries();
+      operations =
+          in_strips ? interior.get_factor_operations() : exchanging_solver->get_factor_operations();
+    }
+    n_factor_entries   = Utilities::MPI::sum(entries, communicator) + n * n;
     factorisation_cost = (Utilities::MPI::max(operations, communicator) + 2. / 3. * n * n * n) /
                          (Utilities::MPI::max(entries, communicator) + n * n);
 
-    if (!in_strips)
+    if (!in_strips || n_ranks == 1)
       return;
     // A part of the way, as each cut has other factors.
     const std::vector<double> all = Utilities::MPI::all_gather(
@@ -381,8 +386,8 @@ namespace caudal
     for (unsigned int k = 0; k < n_interior; ++k)
       values[k] = everything[unknowns[k]];
     run_on_all(communicator, [&]() {
-      if (n_interior > 0)
-        interior->condense(values);
+      if (n_interior > 0 && in_strips)
+        interior.condense(values);
     });
 
     Vector<double> at_interface(interface_unknowns.size());
@@ -396,8 +401,10 @@ namespace caudal
     for (unsigned int k = 0; k < interface_places.size(); ++k)
       values[n_interior + k] = at_interface[interface_places[k]];
     run_on_all(communicator, [&]() {
-      if (n_interior > 0)
-        interior->expand(values);
+      if (n_interior > 0 && in_strips)
+        interior.expand(values);
+      else if (n_interior > 0)
+        exchanging_solver->solve(values);
     });
 
     // Each unknown is told by one rank.

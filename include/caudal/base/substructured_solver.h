@@ -2,6 +2,7 @@
 #define caudal_base_substructured_solver_h
 
 #include <caudal/base/direct_solver.h>
+#include <caudal/base/multifrontal_solver.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -13,10 +14,10 @@ namespace caudal
    * Direct solver of all ranks by substructuring (Przemieniecki 1963, doi:10.2514/3.1728): each
    * rank eliminates the unknowns that no other rank's entries touch, the Schur complements of
    * all ranks add up to the dense matrix of the interface between them, and every rank
-   * factorises that one. Where a strip of its own has no sound pivots, as with bodies whose nodes
-   * are closer than the fluid's, rank 0 eliminates all unknowns. Nothing depends on the order in
-   * which messages arrive: equal runs give equal bits. Every member function is collective over the
-   * communicator.
+   * factorises that one. Where the order of elimination has no sound pivots, as with bodies whose
+   * nodes are closer than the fluid's, rank 0 eliminates all unknowns in another one. Nothing
+   * depends on the order in which messages arrive: equal runs give equal bits. Every member
+   * function is collective over the communicator.
    */
   class SubstructuredSolver
   {
@@ -83,12 +84,13 @@ namespace caudal
     /** Positions of all ranks' unknowns, and the unknowns in their order. */
     std::vector<double> positions;
     std::vector<int>    sorted_unknowns;
-    /** Whether each rank has a strip; else rank 0 has all. */
-    bool in_strips;
+    /** Whether each rank has a strip; else rank 0 has all, and exchanges pivots. */
+    bool in_strips = true;
     /** Shares of the ranks in what the strips are estimated to cost. */
     std::vector<double> shares;
 
-    std::optional<DirectSolver> interior;
+    MultifrontalSolver          interior;
+    std::optional<DirectSolver> exchanging_solver;
     /** This rank's unknowns: those it eliminates, then those of the interface. */
     std::vector<int> unknowns;
     unsigned int     n_interior = 0;
@@ -96,7 +98,7 @@ namespace caudal
     std::vector<int>                 interface_unknowns, interface_places;
     dealii::LAPACKFullMatrix<double> interface_matrix;
 
-    /** Returns whether the strips, if there are some, have sound pivots. */
+    /** Returns whether the pivots are sound. */
     bool try_to_factorize(int n, const Triplets &entries, unsigned int group_size);
     void factorize_interface(const Triplets &entries);
     /** Learns from what the elimination took, so that the ranks finish together next time. */
