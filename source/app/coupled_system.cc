@@ -309,7 +309,8 @@ namespace caudal
     TimerOutput::Scope timer_section(timer, "factorisation");
     const double       scale = get_kinematic_scale(weights);
     Triplets           entries;
-    momentum.append_entries(entries);
+    entries.reserve(momentum.get_matrix().n_entries());
+    momentum.get_matrix().append_entries(entries);
     int        begin   = space.velocity_dofs.n_dofs();
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)

@@ -22,18 +22,8 @@ namespace caudal
                           &pressure_dofs = space.pressure_dofs;
     const IndexSet &owned_velocities     = velocity_dofs.locally_owned_dofs();
     const IndexSet &owned_pressures      = pressure_dofs.locally_owned_dofs();
-    IndexSet        relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-
-    TrilinosWrappers::SparsityPattern pattern(owned_velocities, owned_velocities, relevant,
-                                              space.get_communicator());
-    DoFTools::make_sparsity_pattern(velocity_dofs, pattern, space.homogeneous_constraints, false,
-                                    space.get_triangulation().locally_owned_subdomain());
-    pattern.compress();
-    constant_matrix.reinit(pattern);
-    matrix.reinit(pattern);
-    constant_matrix_is_valid = false;
-    matrix_is_constant       = false;
+    matrix.reinit(velocity_dofs, space.homogeneous_constraints);
+    matrix_is_constant = false;
 
     const AffineConstraints<double>      no_constraints;
     std::vector<types::global_dof_index> rows(pressure_dofs.get_fe().n_dofs_per_cell());
@@ -62,33 +52,6 @@ namespace caudal
                                                 divergence_matrix);
     });
     divergence_matrix.compress(VectorOperation::add);
-  }
-
-  template <int dim>
-  void MomentumOperator<dim>::assemble_constant_matrix(const MomentumWeights &weights)
-  {
-    if (constant_matrix_is_valid && weights == constant_weights)
-      return;
-    const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
-    std::vector<types::global_dof_index> dofs(n);
-    std::vector<FullMatrix<double>>      level_matrices;
-    for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
-    {
-      level_matrices.emplace_back(n, n);
-      space.get_cell_matrices(level).get_momentum_matrix(weights, level_matrices.back());
-    }
-    constant_matrix = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell->get_dof_indices(dofs);
-        space.homogeneous_constraints.distribute_local_to_global(level_matrices[cell->level()],
-                                                                 dofs, constant_matrix);
-      }
-    constant_matrix.compress(VectorOperation::add);
-    constant_weights         = weights;
-    constant_matrix_is_valid = true;
-    matrix_is_constant       = false;
   }
 
   namespace
@@ -166,14 +129,13 @@ namespace caudal
         }
       }
 
-      /** The scalar matrix as one for all components. */
-      void expand(const FullMatrix<double> &matrix, FullMatrix<double> &result) const
+      /** Adds the scalar matrix for all components. */
+      void add(const FullMatrix<double> &matrix, FullMatrix<double> &result) const
       {
-        result = 0;
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int s = 0; s < n_scalar; ++s)
             for (unsigned int t = 0; t < n_scalar; ++t)
-              result(index[d][s], index[d][t]) = matrix(s, t);
+              result(index[d][s], index[d][t]) += matrix(s, t);
       }
 
     private:
@@ -241,22 +203,20 @@ namespace caudal
         add_body_force(cell, residual);
     }
 
-    /**
-     * residual -= the implicit terms of @p velocity. With implicit convection
-     * its matrix is put into @p convection_matrix.
-     */
+    /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
     void subtract_implicit_terms(const Cell &cell, const FieldVector &velocity,
-                                 Vector<double> &residual, FullMatrix<double> &convection_matrix)
+                                 Vector<double> &residual, FullMatrix<double> &matrix)
     {
+      matrix = implicit_matrices[cell->level()];
+      if (step.transport != nullptr)
+      {
+        cell->get_dof_values(*step.transport, transport);
+        compute_convection(cell, transport);
+        componentwise.add(convection, matrix);
+      }
       cell->get_dof_values(velocity, values);
-      implicit_matrices[cell->level()].vmult(product, values);
+      matrix.vmult(product, values);
       residual -= product;
-      if (step.transport == nullptr)
-        return;
-      cell->get_dof_values(*step.transport, transport);
-      compute_convection(cell, transport);
-      componentwise.subtract(1, convection, values, residual);
-      componentwise.expand(convection, convection_matrix);
     }
 
   private:
@@ -298,33 +258,32 @@ namespace caudal
   bool MomentumOperator<dim>::assemble(const MomentumStep &step, const FieldVector &velocity,
                                        const FieldVector &pressure, FieldVector &residual)
   {
-    assemble_constant_matrix(step.weights);
-    const bool matrix_changes = step.transport != nullptr || !matrix_is_constant;
-    if (matrix_changes)
-      matrix.copy_from(constant_matrix);
+    const bool matrix_changes =
+        step.transport != nullptr || !matrix_is_constant || !(step.weights == constant_weights);
     matrix_is_constant = step.transport == nullptr;
+    constant_weights   = step.weights;
     residual           = 0;
 
     const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
     CellAssembler                        assembler(space, step);
-    FullMatrix<double>                   convection(n, n);
+    FullMatrix<double>                   cell_matrix(n, n);
     Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
     // A body force may fail on the cells of one rank only.
     const std::string error = catch_error([&]() {
+      unsigned int index = 0;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
           cell_residual = 0;
           assembler.add_known_terms(cell, pressure, cell_residual);
-          assembler.subtract_implicit_terms(cell, velocity, cell_residual, convection);
+          assembler.subtract_implicit_terms(cell, velocity, cell_residual, cell_matrix);
           cell->get_dof_indices(dofs);
           space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
-          if (step.transport != nullptr)
-            space.homogeneous_constraints.distribute_local_to_global(convection, dofs, matrix);
+          if (matrix_changes)
+            matrix.set(index++, cell_matrix);
         }
     });
-    matrix.compress(VectorOperation::add);
     residual.compress(VectorOperation::add);
     throw_on_all(space.get_communicator(), error);
     return matrix_changes;
@@ -358,22 +317,6 @@ namespace caudal
         space.get_cell_matrices(cell->level()).get_inverse_pressure_mass().vmult(result, values);
         cell->set_dof_values(result, vector);
       }
-  }
-
-  template <int dim>
-  void MomentumOperator<dim>::append_entries(Triplets &entries) const
-  {
-    // Epetra's views of rows: the iterators of the wrapper copy each row.
-    const Epetra_CrsMatrix &epetra_matrix = matrix.trilinos_matrix();
-    for (int row = 0; row < epetra_matrix.NumMyRows(); ++row)
-    {
-      int     n_entries;
-      int    *columns;
-      double *values;
-      epetra_matrix.ExtractMyRowView(row, n_entries, values, columns);
-      for (int k = 0; k < n_entries; ++k)
-        entries.add(epetra_matrix.GRID(row), epetra_matrix.GCID(columns[k]), values[k]);
-    }
   }
 
   template class MomentumOperator<2>;

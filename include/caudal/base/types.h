@@ -38,6 +38,13 @@ namespace caudal
       values.push_back(value);
     }
 
+    void reserve(const std::size_t n_entries)
+    {
+      rows.reserve(n_entries);
+      columns.reserve(n_entries);
+      values.reserve(n_entries);
+    }
+
     void clear()
     {
       rows.clear();

@@ -1,6 +1,7 @@
 #ifndef caudal_fluid_momentum_operator_h
 #define caudal_fluid_momentum_operator_h
 
+#include <caudal/fluid/cellwise_matrix.h>
 #include <caudal/fluid/fluid_space.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -53,7 +54,7 @@ namespace caudal
     bool assemble(const MomentumStep &step, const FieldVector &velocity,
                   const FieldVector &pressure, FieldVector &residual);
 
-    const TrilinosWrappers::SparseMatrix &get_matrix() const
+    const CellwiseMatrix &get_matrix() const
     {
       return matrix;
     }
@@ -69,17 +70,12 @@ namespace caudal
     /** vector := M_p^-1 vector, M_p the mass matrix of the pressure. */
     void apply_inverse_pressure_mass(FieldVector &vector) const;
 
-    /** Appends A's locally owned entries. */
-    void append_entries(Triplets &entries) const;
-
   private:
     const FluidSpace<dim>         &space;
-    TrilinosWrappers::SparseMatrix matrix, constant_matrix, divergence_matrix;
+    CellwiseMatrix                 matrix;
+    TrilinosWrappers::SparseMatrix divergence_matrix;
     MomentumWeights                constant_weights;
-    bool                           constant_matrix_is_valid = false;
-    bool                           matrix_is_constant       = false;
-
-    void assemble_constant_matrix(const MomentumWeights &weights);
+    bool                           matrix_is_constant = false;
 
     class CellAssembler;
   };
