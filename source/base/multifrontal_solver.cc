@@ -384,8 +384,9 @@ namespace caudal
       for (int i = 0; i < n_pivots + n_rest; ++i)
         local[tree.unknowns[front.begin + i]] = i;
 
-      add_entries(&entries_of_fronts.sorted[entries_of_fronts.begins[f]],
-                  &entries_of_fronts.sorted[entries_of_fronts.begins[f + 1]], local, factor);
+      const Entry *sorted = entries_of_fronts.sorted.data();
+      add_entries(sorted + entries_of_fronts.begins[f], sorted + entries_of_fronts.begins[f + 1],
+                  local, factor);
       for (const int child : children[f])
       {
         const auto &other = tree.fronts[child];
