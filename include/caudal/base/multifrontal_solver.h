@@ -9,7 +9,8 @@ namespace caudal
    * Sparse direct solver of one rank for matrices with a symmetric pattern: the multifrontal
    * method (Duff & Reid 1983, doi:10.1145/356044.356047), with rows exchanged within the pivots
    * of a front only. Systems of this size are too small for MUMPS to get near the speed of its
-   * BLAS: this takes 0.56 to 0.62 of its time, and half of it for a solution. A matrix that needs other pivots is left to DirectSolver.
+   * BLAS: this takes 0.56 to 0.62 of its time, and half of it for a solution. A matrix that needs
+   * other pivots is left to DirectSolver.
    *
    * The last unknowns may be kept out of the elimination. With i for those eliminated and k for
    * those kept, the factors then stand for
