@@ -110,6 +110,7 @@ namespace caudal
 
       void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
       {
+        // It also updates the ghost entries that the interpolation needs.
         momentum.get_matrix().vmult(result.block(0), source.block(0));
         momentum.get_divergence_matrix().Tvmult_add(result.block(0), source.block(1));
         momentum.get_divergence_matrix().vmult(result.block(1), source.block(0));
@@ -120,7 +121,6 @@ namespace caudal
         BodyVector in(source.block(0).get_mpi_communicator(), source.block(2).size());
         BodyVector out(source.block(0).get_mpi_communicator(), source.block(2).size());
         in.receive(source.block(2));
-        source.block(0).update_ghost_values();
         FieldVector forces;
         forces.reinit(result.block(0));
         unsigned int begin = 0;

@@ -40,13 +40,11 @@ namespace caudal
       Cholmod(const Cholmod &)            = delete;
       Cholmod &operator=(const Cholmod &) = delete;
 
-      template <typename T>
-      T *check(T *result) const
+      void check(const bool succeeded) const
       {
-        AssertThrow(result != nullptr && data.status >= CHOLMOD_OK,
+        AssertThrow(succeeded && data.status >= CHOLMOD_OK,
                     ExcMessage("The direct solver's analysis (CHOLMOD) failed with status " +
                                std::to_string(data.status) + " (-2: out of memory)."));
-        return result;
       }
 
       cholmod_common data;
@@ -113,9 +111,7 @@ namespace caudal
       std::vector<int> order(pattern.ncol), constraints(pattern.ncol);
       std::fill(constraints.begin() + n_eliminated, constraints.end(), 1);
       cholmod.check(
-          cholmod_camd(&pattern, nullptr, 0, constraints.data(), order.data(), &cholmod.data) != 0
-              ? &order
-              : nullptr);
+          cholmod_camd(&pattern, nullptr, 0, constraints.data(), order.data(), &cholmod.data) != 0);
       return order;
     }
   } // namespace
@@ -139,8 +135,8 @@ namespace caudal
       cholmod_free_factor(&factor, &cholmod.data);
     };
     const std::unique_ptr<cholmod_factor, decltype(free_factor)> factor(
-        cholmod.check(cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.data)),
-        free_factor);
+        cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.data), free_factor);
+    cholmod.check(factor != nullptr);
     const auto *groups = static_cast<const int *>(factor->Perm);
     const auto *first  = static_cast<const int *>(factor->super); // places of the first pivots
     const auto *begin  = static_cast<const int *>(factor->pi);    // of a front in `rows`

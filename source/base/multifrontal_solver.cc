@@ -315,6 +315,14 @@ namespace caudal
           front.pivots.column(column)[row] += entry->value;
       }
     }
+
+    void gather(const std::vector<double> &vector, const int *unknowns, const unsigned int n,
+                std::vector<double> &result)
+    {
+      result.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        result[i] = vector[unknowns[i]];
+    }
   } // namespace
 
   void MultifrontalSolver::compute_scales(const Triplets &entries, const unsigned int n)
@@ -425,7 +433,7 @@ namespace caudal
     return sum;
   }
 
-  void MultifrontalSolver::condense(std::vector<double> &vector) const
+  void MultifrontalSolver::condense(std::vector<double> &vector)
   {
     AssertDimension(vector.size(), scales.size());
     for (unsigned int i = 0; i < n_eliminated; ++i)
@@ -435,11 +443,8 @@ namespace caudal
     {
       const auto        &front    = tree.fronts[f];
       const int         *unknowns = tree.unknowns.data() + front.begin;
-      const FrontFactors factor(front, const_cast<double *>(&factors[factor_begins[f]]),
-                                const_cast<int *>(&exchanges[exchange_begins[f]]));
-      pivots.resize(front.n_pivots);
-      for (unsigned int i = 0; i < front.n_pivots; ++i)
-        pivots[i] = vector[unknowns[i]];
+      const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
+      gather(vector, unknowns, front.n_pivots, pivots);
       for (unsigned int i = 0; i < front.n_pivots; ++i)
         std::swap(pivots[i], pivots[factor.exchanges[i]]);
       for (unsigned int j = 0; j < front.n_pivots; ++j)
@@ -454,7 +459,7 @@ namespace caudal
     }
   }
 
-  void MultifrontalSolver::expand(std::vector<double> &vector) const
+  void MultifrontalSolver::expand(std::vector<double> &vector)
   {
     AssertDimension(vector.size(), scales.size());
     std::vector<double> pivots, rest;
@@ -462,14 +467,9 @@ namespace caudal
     {
       const auto        &front    = tree.fronts[f];
       const int         *unknowns = tree.unknowns.data() + front.begin;
-      const FrontFactors factor(front, const_cast<double *>(&factors[factor_begins[f]]),
-                                const_cast<int *>(&exchanges[exchange_begins[f]]));
-      pivots.resize(front.n_pivots);
-      for (unsigned int i = 0; i < front.n_pivots; ++i)
-        pivots[i] = vector[unknowns[i]];
-      rest.resize(front.n_rest);
-      for (unsigned int i = 0; i < front.n_rest; ++i)
-        rest[i] = vector[unknowns[front.n_pivots + i]];
+      const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
+      gather(vector, unknowns, front.n_pivots, pivots);
+      gather(vector, unknowns + front.n_pivots, front.n_rest, rest);
       multiply(-1, factor.right, rest.data(), pivots.data());
       for (unsigned int j = front.n_pivots; j-- > 0;)
       {

@@ -4,7 +4,6 @@
 
 #include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -260,8 +259,7 @@ namespace caudal
   {
     const bool matrix_changes =
         step.transport != nullptr || !matrix_is_constant || !(step.weights == constant_weights);
-    matrix_is_constant = step.transport == nullptr;
-    constant_weights   = step.weights;
+    matrix_is_constant = false; // unless all cells are set
     residual           = 0;
 
     const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
@@ -286,6 +284,8 @@ namespace caudal
     });
     residual.compress(VectorOperation::add);
     throw_on_all(space.get_communicator(), error);
+    matrix_is_constant = step.transport == nullptr;
+    constant_weights   = step.weights;
     return matrix_changes;
   }
 

@@ -40,10 +40,10 @@ namespace caudal
      * Replaces the kept part of @p vector by b_k - A_ki A_ii^-1 b_i, the other one by what
      * expand() needs.
      */
-    void condense(std::vector<double> &vector) const;
+    void condense(std::vector<double> &vector);
 
     /** Replaces @p vector of condense(), which got the kept part of the solution, by all of it. */
-    void expand(std::vector<double> &vector) const;
+    void expand(std::vector<double> &vector);
 
     /** Entries of the factors. */
     double get_factor_entries() const

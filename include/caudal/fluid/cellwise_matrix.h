@@ -46,8 +46,7 @@ namespace caudal
       types::global_dof_index global;
       unsigned int            local;
     };
-    /** What an unknown of a cell that is constrained stands for: the cell's unknowns times weights.
-     */
+    /** What an unknown of a constrained cell stands for: the cell's unknowns times weights. */
     using Resolution = std::vector<std::pair<unsigned int, double>>;
 
     /** Begins of the cells in the vectors below, and the ends. */
