@@ -50,39 +50,78 @@ namespace caudal
       cholmod_common data;
     };
 
+    /** What couples groups: the elements' groups without repetition, and pairs of groups. */
+    struct Cliques
+    {
+      Cliques(const std::vector<int> &group_of, const int n_groups, const MatrixParts &matrix)
+          : begins(1, 0)
+      {
+        std::vector<std::size_t> last_clique(n_groups, -1);
+        const auto               add = [&](const int unknown) {
+          const int group = group_of[unknown];
+          if (last_clique[group] != begins.size())
+          {
+            last_clique[group] = begins.size();
+            groups.push_back(group);
+          }
+        };
+        for (const ElementMatrix &element : matrix.elements)
+        {
+          std::for_each(element.unknowns, element.unknowns + element.n, add);
+          begins.push_back(groups.size());
+        }
+        for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
+        {
+          const int row    = group_of[matrix.entries.rows[k]];
+          const int column = group_of[matrix.entries.columns[k]];
+          if (row != column)
+          {
+            groups.push_back(row);
+            groups.push_back(column);
+            begins.push_back(groups.size());
+          }
+        }
+      }
+
+      std::size_t count() const
+      {
+        return begins.size() - 1;
+      }
+
+      std::vector<int> begins, groups;
+    };
+
     /** Upper triangle of the groups' pattern with the diagonal, column by column. */
     struct Pattern
     {
-      Pattern(const std::vector<int> &group_of, const int n_groups, const Triplets &entries)
+      Pattern(const int n_groups, const Cliques &cliques)
           : begins(n_groups + 1)
       {
-        const std::size_t n_entries = entries.values.size();
-        std::vector<int>  ends(n_groups + 1);
-        const auto        for_each_pair = [&](const auto &action) {
-          for (std::size_t k = 0; k < n_entries; ++k)
-          {
-            const int row = group_of[entries.rows[k]], column = group_of[entries.columns[k]];
-            if (row != column)
-              action(std::max(row, column), std::min(row, column));
-          }
-        };
-        for_each_pair([&](const int column, int) { ++ends[column + 1]; });
+        // The cliques of each group.
+        std::vector<int> ends(n_groups + 1);
+        for (const int group : cliques.groups)
+          ++ends[group + 1];
         std::partial_sum(ends.begin(), ends.end(), ends.begin());
-        const std::vector<int> all_begins(ends);
-        std::vector<int>       all(ends.back());
-        for_each_pair([&](const int column, const int row) { all[ends[column]++] = row; });
+        const std::vector<int> list_begins(ends);
+        std::vector<int>       lists(cliques.groups.size());
+        for (std::size_t c = 0; c < cliques.count(); ++c)
+          for (int k = cliques.begins[c]; k < cliques.begins[c + 1]; ++k)
+            lists[ends[cliques.groups[k]]++] = c;
 
         std::vector<int> last_column(n_groups, -1);
-        rows.reserve(n_groups + all.size() / 2);
         for (int column = 0; column < n_groups; ++column)
         {
           begins[column] = rows.size();
           rows.push_back(column);
-          for (int k = all_begins[column]; k < all_begins[column + 1]; ++k)
-            if (last_column[all[k]] != column)
+          for (int l = list_begins[column]; l < list_begins[column + 1]; ++l)
+            for (int k = cliques.begins[lists[l]]; k < cliques.begins[lists[l] + 1]; ++k)
             {
-              last_column[all[k]] = column;
-              rows.push_back(all[k]);
+              const int row = cliques.groups[k];
+              if (row < column && last_column[row] != column)
+              {
+                last_column[row] = column;
+                rows.push_back(row);
+              }
             }
         }
         begins[n_groups] = rows.size();
@@ -116,7 +155,7 @@ namespace caudal
     }
   } // namespace
 
-  void EliminationTree::build(const std::vector<int> &group_begins, const Triplets &entries,
+  void EliminationTree::build(const std::vector<int> &group_begins, const MatrixParts &matrix,
                               const unsigned int n_kept)
   {
     const int        n_groups = group_begins.size() - 1, n = group_begins.back();
@@ -127,7 +166,7 @@ namespace caudal
     const int first_kept_group = n_kept > 0 ? group_of[n - n_kept] : n_groups;
 
     Cholmod          cholmod;
-    Pattern          pattern(group_of, n_groups, entries);
+    Pattern          pattern(n_groups, Cliques(group_of, n_groups, matrix));
     cholmod_sparse   view  = pattern.get_view();
     std::vector<int> order = find_order(cholmod, view, first_kept_group);
 

@@ -1,6 +1,6 @@
 #include <caudal/base/multifrontal_solver.h>
 
-#include <deal.II/lac/lapack_templates.h>
+#include <caudal/base/front.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,309 +12,173 @@ namespace caudal
 {
   namespace
   {
-    /** Columns that are eliminated at once: few enough for the cache, many enough for BLAS. */
-    constexpr int panel_width = 32;
-    /** The same for the triangular solutions in them, which BLAS is slow at. */
-    constexpr int small_width = 8;
-
-    /** A pivot is poor where the entries below it are larger by this factor (MUMPS' 1e-6). */
-    constexpr double largest_growth = 1e6;
     /**
      * Where more pivots than this part are poor, the others are not good either. Schools of
      * bodies with nodes 0.36 cells apart: 9 %, and 13 to 40 iterations; else none, and 1 to 4.
      */
     constexpr double largest_part_poor = 0.01;
 
-    /** A dense matrix stored column by column, or a part of it. */
-    struct Block
+    /** The parts of a matrix by the front that each belongs to: that of its first pivot. */
+    struct PartsOfFronts
     {
-      double *data;
-      int     n_rows, n_columns, stride;
-
-      double *column(const int j) const
+      /** Behind all fronts come parts that couple kept unknowns only. */
+      PartsOfFronts(const EliminationTree &tree, const MatrixParts &matrix)
       {
-        return data + static_cast<std::size_t>(j) * stride;
+        const auto is_earlier = [&](const int a, const int b) {
+          return tree.place[a] < tree.place[b];
+        };
+        const auto find_front = [&](const int unknown) {
+          return tree.front_of[unknown] < 0 ? tree.fronts.size() : tree.front_of[unknown];
+        };
+        std::vector<int> of_elements, of_entries;
+        of_elements.reserve(matrix.elements.size());
+        of_entries.reserve(matrix.entries.values.size());
+        for (const ElementMatrix &element : matrix.elements)
+          of_elements.push_back(find_front(
+              *std::min_element(element.unknowns, element.unknowns + element.n, is_earlier)));
+        for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
+          of_entries.push_back(
+              find_front(std::min(matrix.entries.rows[k], matrix.entries.columns[k], is_earlier)));
+        sort(of_elements, tree.fronts.size() + 1, element_begins, elements);
+        sort(of_entries, tree.fronts.size() + 1, entry_begins, entries);
       }
 
-      Block part(const int row, const int column_index, const int rows, const int columns) const
+      /** The numbers of elements and entries, front by front. */
+      std::vector<int> element_begins, elements, entry_begins, entries;
+
+    private:
+      static void sort(const std::vector<int> &fronts, const std::size_t n_fronts,
+                       std::vector<int> &begins, std::vector<int> &sorted)
       {
-        return {column(column_index) + row, rows, columns, stride};
-      }
-    };
-
-    /** c := beta c + alpha a b */
-    void multiply(const double alpha, const Block &a, const Block &b, const double beta,
-                  const Block &c)
-    {
-      if (c.n_rows == 0 || c.n_columns == 0)
-        return;
-      const types::blas_int m = c.n_rows, n = c.n_columns, k = a.n_columns;
-      const types::blas_int stride_a = a.stride, stride_b = b.stride, stride_c = c.stride;
-      gemm("N", "N", &m, &n, &k, &alpha, a.data, &stride_a, b.data, &stride_b, &beta, c.data,
-           &stride_c);
-    }
-
-    /** y += alpha a x */
-    void multiply(const double alpha, const Block &a, const double *x, double *y)
-    {
-      if (a.n_rows == 0 || a.n_columns == 0)
-        return;
-      const types::blas_int m = a.n_rows, n = a.n_columns, stride = a.stride, one = 1;
-      const double          beta = 1;
-      gemv("N", &m, &n, &alpha, a.data, &stride, x, &one, &beta, y, &one);
-    }
-
-    /**
-     * The factors of a front: A = [pivots, right; below, update] becomes L U with
-     * pivots = L_11 U_11 (rows exchanged), right = U_12, below = L_21.
-     */
-    struct FrontFactors
-    {
-      FrontFactors(const EliminationTree::Front &front, double *data, int *exchanges)
-          : pivots{data, static_cast<int>(front.n_pivots), static_cast<int>(front.n_pivots),
-                   static_cast<int>(front.n_pivots)}
-          , right{pivots.column(front.n_pivots), pivots.n_rows, static_cast<int>(front.n_rest),
-                  pivots.stride}
-          , below{right.column(front.n_rest), static_cast<int>(front.n_rest), pivots.n_columns,
-                  static_cast<int>(front.n_rest)}
-          , exchanges(exchanges)
-      {}
-
-      static std::size_t count(const EliminationTree::Front &front)
-      {
-        return static_cast<std::size_t>(front.n_pivots) * (front.n_pivots + 2 * front.n_rest);
-      }
-
-      Block pivots, right, below;
-      int  *exchanges;
-    };
-
-    /** LU of a panel without any BLAS, rows exchanged; returns false if a pivot is zero. */
-    bool factorize_panel(const Block &panel, int *exchanges)
-    {
-      for (int c = 0; c < panel.n_columns; ++c)
-      {
-        double    *pivot_column = panel.column(c);
-        const auto largest      = std::max_element(
-                 pivot_column + c, pivot_column + panel.n_rows,
-                 [](const double a, const double b) { return std::abs(a) < std::abs(b); });
-        if (!(std::abs(*largest) > 0.))
-          return false;
-        exchanges[c] = largest - pivot_column;
-        if (exchanges[c] != c)
-          for (int j = 0; j < panel.n_columns; ++j)
-            std::swap(panel.column(j)[c], panel.column(j)[exchanges[c]]);
-        const double inverse = 1 / pivot_column[c];
-        for (int i = c + 1; i < panel.n_rows; ++i)
-          pivot_column[i] *= inverse;
-        for (int j = c + 1; j < panel.n_columns; ++j)
-        {
-          double      *column = panel.column(j);
-          const double factor = column[c];
-          for (int i = c + 1; i < panel.n_rows; ++i)
-            column[i] -= pivot_column[i] * factor;
-        }
-      }
-      return true;
-    }
-
-    /** The inverse of the unit lower triangle of @p lower, whose entries are at most one. */
-    void invert_unit_lower_triangle(const Block &lower, const Block &inverse)
-    {
-      const int n = lower.n_columns;
-      for (int c = 0; c < n; ++c)
-      {
-        double *column = inverse.column(c);
-        std::fill(column, column + n, 0.);
-        column[c] = 1;
-        for (int j = c; j < n; ++j)
-        {
-          const double *l      = lower.column(j);
-          const double  factor = column[j];
-          for (int i = j + 1; i < n; ++i)
-            column[i] -= factor * l[i];
-        }
-      }
-    }
-
-    /**
-     * x := x U^-1, U the upper triangle of @p upper: by substitution, since the augmented matrix
-     * makes its condition number 1e9, and an explicit inverse loses half of the digits.
-     */
-    void solve_from_right(const Block &upper, const Block &x)
-    {
-      for (int begin = 0; begin < upper.n_columns; begin += small_width)
-      {
-        const int end = std::min(begin + small_width, upper.n_columns);
-        for (int j = begin; j < end; ++j)
-        {
-          double       *column = x.column(j);
-          const double *u      = upper.column(j);
-          for (int i = begin; i < j; ++i)
-          {
-            const double *other  = x.column(i);
-            const double  factor = u[i];
-            for (int row = 0; row < x.n_rows; ++row)
-              column[row] -= factor * other[row];
-          }
-          const double inverse = 1 / u[j];
-          for (int row = 0; row < x.n_rows; ++row)
-            column[row] *= inverse;
-        }
-        const int n_left = upper.n_columns - end;
-        multiply(-1, x.part(0, begin, x.n_rows, end - begin),
-                 upper.part(begin, end, end - begin, n_left), 1, x.part(0, end, x.n_rows, n_left));
-      }
-    }
-
-    void exchange_rows(const Block &block, const int first, const int second)
-    {
-      for (int j = 0; j < block.n_columns; ++j)
-        std::swap(block.column(j)[first], block.column(j)[second]);
-    }
-
-    /** right := L^-1 right for a panel's rows, L its unit lower triangle. */
-    void solve_from_left(const Block &inverse, const Block &right, std::vector<double> &buffer)
-    {
-      buffer.resize(static_cast<std::size_t>(right.n_rows) * right.n_columns);
-      const Block copy{buffer.data(), right.n_rows, right.n_columns, right.n_rows};
-      for (int j = 0; j < right.n_columns; ++j)
-        std::copy_n(right.column(j), right.n_rows, copy.column(j));
-      multiply(1, inverse, copy, 0, right);
-    }
-
-    /** Eliminates the pivots of a front, panel by panel; returns false if one is zero. */
-    bool eliminate_pivots(const FrontFactors &front, const Block &update,
-                          std::vector<double> &buffer)
-    {
-      const int n = front.pivots.n_columns;
-      double    inverse_data[panel_width * panel_width];
-      for (int begin = 0; begin < n; begin += panel_width)
-      {
-        const int   width = std::min(panel_width, n - begin), end = begin + width;
-        const Block panel = front.pivots.part(begin, begin, n - begin, width);
-        if (!factorize_panel(panel, front.exchanges + begin))
-          return false;
-        for (int c = begin; c < end; ++c)
-        {
-          front.exchanges[c] += begin;
-          if (front.exchanges[c] == c)
-            continue;
-          exchange_rows(front.pivots.part(0, 0, n, begin), c, front.exchanges[c]);
-          exchange_rows(front.pivots.part(0, end, n, n - end), c, front.exchanges[c]);
-          exchange_rows(front.right, c, front.exchanges[c]);
-        }
-        const Block diagonal = panel.part(0, 0, width, width);
-        const Block lower    = panel.part(width, 0, n - end, width);
-        const Block inverse{inverse_data, width, width, width};
-        invert_unit_lower_triangle(diagonal, inverse);
-
-        const Block upper = front.pivots.part(begin, end, width, n - end);
-        const Block right = front.right.part(begin, 0, width, front.right.n_columns);
-        const Block below = front.below.part(0, begin, front.below.n_rows, width);
-        solve_from_left(inverse, upper, buffer);
-        solve_from_left(inverse, right, buffer);
-        solve_from_right(diagonal, below);
-        multiply(-1, lower, upper, 1, front.pivots.part(end, end, n - end, n - end));
-        multiply(-1, lower, right, 1, front.right.part(end, 0, n - end, right.n_columns));
-        multiply(-1, below, upper, 1, front.below.part(0, end, below.n_rows, n - end));
-      }
-      multiply(-1, front.below, front.right, 1, update);
-      return true;
-    }
-
-    unsigned int count_poor_pivots(const FrontFactors &front)
-    {
-      unsigned int n_poor = 0;
-      for (int j = 0; j < front.below.n_columns; ++j)
-      {
-        const double *column  = front.below.column(j);
-        double        largest = 0;
-        for (int i = 0; i < front.below.n_rows; ++i)
-          largest = std::max(largest, std::abs(column[i]));
-        if (!(largest < largest_growth))
-          ++n_poor;
-      }
-      return n_poor;
-    }
-
-    /**
-     * Adds what a front left for its rest to its parent, whose blocks are @p front and
-     * @p update. @p places: where the rest is in the parent, ascending.
-     */
-    void add_update(const std::vector<double> &child, const std::vector<int> &places,
-                    const FrontFactors &front, const Block &update)
-    {
-      const int n = places.size(), n_pivots = front.pivots.n_columns;
-      const int n_to_pivots =
-          std::lower_bound(places.begin(), places.end(), n_pivots) - places.begin();
-      for (int j = 0; j < n; ++j)
-      {
-        const double *source = child.data() + static_cast<std::size_t>(j) * n;
-        const int     column = places[j];
-        double       *top =
-            column < n_pivots ? front.pivots.column(column) : front.right.column(column - n_pivots);
-        double *bottom =
-            (column < n_pivots ? front.below.column(column) : update.column(column - n_pivots));
-        for (int i = 0; i < n_to_pivots; ++i)
-          top[places[i]] += source[i];
-        for (int i = n_to_pivots; i < n; ++i)
-          bottom[places[i] - n_pivots] += source[i];
-      }
-    }
-
-    struct Entry
-    {
-      int    row, column;
-      double value;
-    };
-
-    /** The scaled entries, those of a front together: that which eliminates the first unknown. */
-    struct EntriesOfFronts
-    {
-      EntriesOfFronts(const EliminationTree &tree, const std::vector<double> &scales,
-                      const Triplets &entries)
-          : begins(tree.fronts.size() + 2)
-          , sorted(entries.values.size())
-      {
-        std::vector<int> front(sorted.size());
-        for (std::size_t k = 0; k < sorted.size(); ++k)
-        {
-          const int row = entries.rows[k], column = entries.columns[k];
-          const int first = tree.place[row] < tree.place[column] ? row : column;
-          // Behind all fronts those between kept unknowns.
-          front[k] = tree.front_of[first] < 0 ? tree.fronts.size() : tree.front_of[first];
-          ++begins[front[k] + 1];
-        }
+        begins.assign(n_fronts + 1, 0);
+        for (const int front : fronts)
+          ++begins[front + 1];
         std::partial_sum(begins.begin(), begins.end(), begins.begin());
         std::vector<int> next(begins);
-        for (std::size_t k = 0; k < sorted.size(); ++k)
+        sorted.resize(fronts.size());
+        for (std::size_t k = 0; k < fronts.size(); ++k)
+          sorted[next[fronts[k]]++] = k;
+      }
+    };
+
+    /** Adds up fronts: the parts of the matrix that begin with their pivots, and their children's
+     * updates. */
+    class FrontAssembly
+    {
+    public:
+      FrontAssembly(const EliminationTree &tree, const MatrixParts &matrix,
+                    const std::vector<double> &scales)
+          : tree(tree)
+          , matrix(matrix)
+          , scales(scales)
+          , parts(tree, matrix)
+          , places(scales.size())
+      {}
+
+      /** Adds the parts of D A D; @p front and @p update are the blocks of this front. */
+      void add_parts(const std::size_t index, const FrontFactors &front, const Block &update)
+      {
+        const auto &[begin, n_pivots, n_rest, parent] = tree.fronts[index];
+        for (unsigned int i = 0; i < n_pivots + n_rest; ++i)
+          places[tree.unknowns[begin + i]] = i;
+        for (int k = parts.element_begins[index]; k < parts.element_begins[index + 1]; ++k)
+          add_element(matrix.elements[parts.elements[k]], front, update);
+        for (int k = parts.entry_begins[index]; k < parts.entry_begins[index + 1]; ++k)
         {
-          const int row = entries.rows[k], column = entries.columns[k];
-          sorted[next[front[k]]++] = {row, column,
-                                      entries.values[k] * scales[row] * scales[column]};
+          const int    row    = matrix.entries.rows[parts.entries[k]];
+          const int    column = matrix.entries.columns[parts.entries[k]];
+          const double value  = matrix.entries.values[parts.entries[k]];
+          get_column(places[column], front, update)[places[row]] +=
+              scales[row] * scales[column] * value;
         }
       }
 
-      std::vector<int>   begins;
-      std::vector<Entry> sorted;
-    };
-
-    void add_entries(const Entry *begin, const Entry *end, const std::vector<int> &local,
-                     const FrontFactors &front)
-    {
-      const int n_pivots = front.pivots.n_columns;
-      for (const Entry *entry = begin; entry != end; ++entry)
+      /** Adds what a child of the front of the last add_parts() has left for its rest. */
+      void add_update(const EliminationTree::Front &child, const std::vector<double> &child_update,
+                      const FrontFactors &front, const Block &update)
       {
-        const int row = local[entry->row], column = local[entry->column];
-        if (column >= n_pivots)
-          front.right.column(column - n_pivots)[row] += entry->value;
-        else if (row >= n_pivots)
-          front.below.column(column)[row - n_pivots] += entry->value;
-        else
-          front.pivots.column(column)[row] += entry->value;
+        const int  n    = child.n_rest;
+        const int *rest = tree.unknowns.data() + child.begin + child.n_pivots;
+        rows.resize(n);
+        std::transform(rest, rest + n, rows.begin(),
+                       [&](const int unknown) { return places[unknown]; });
+        // They ascend in both fronts.
+        const int n_to_pivots =
+            std::lower_bound(rows.begin(), rows.end(), front.pivots.n_columns) - rows.begin();
+        for (int j = 0; j < n; ++j)
+        {
+          const double *source = child_update.data() + static_cast<std::size_t>(j) * n;
+          const Column  target = get_column(rows[j], front, update);
+          for (int i = 0; i < n_to_pivots; ++i)
+            target.top[rows[i]] += source[i];
+          for (int i = n_to_pivots; i < n; ++i)
+            target.bottom[rows[i] - target.n_pivots] += source[i];
+        }
       }
-    }
+
+      /** Calls add(row, column, value) for all that couples kept unknowns only. */
+      template <class Add>
+      void for_each_kept_entry(const Add &add) const
+      {
+        const std::size_t kept = tree.fronts.size();
+        for (int k = parts.element_begins[kept]; k < parts.element_begins[kept + 1]; ++k)
+        {
+          const ElementMatrix &element = matrix.elements[parts.elements[k]];
+          const double        *value   = element.values;
+          for (int i = 0; i < element.n; ++i)
+            for (int j = 0; j < element.n; ++j, ++value)
+              add(element.unknowns[i], element.unknowns[j], *value);
+        }
+        for (int k = parts.entry_begins[kept]; k < parts.entry_begins[kept + 1]; ++k)
+          add(matrix.entries.rows[parts.entries[k]], matrix.entries.columns[parts.entries[k]],
+              matrix.entries.values[parts.entries[k]]);
+      }
+
+    private:
+      const EliminationTree     &tree;
+      const MatrixParts         &matrix;
+      const std::vector<double> &scales;
+      const PartsOfFronts        parts;
+      /** Of the present front's unknowns in it. */
+      std::vector<int> places;
+      std::vector<int> rows; // of a child's rest
+
+      /** A column of a front, which is in two blocks. */
+      struct Column
+      {
+        double *top, *bottom;
+        int     n_pivots;
+
+        double &operator[](const int row) const
+        {
+          return row < n_pivots ? top[row] : bottom[row - n_pivots];
+        }
+      };
+
+      static Column get_column(const int column, const FrontFactors &front, const Block &update)
+      {
+        const int n_pivots = front.pivots.n_columns;
+        if (column < n_pivots)
+          return {front.pivots.column(column), front.below.column(column), n_pivots};
+        return {front.right.column(column - n_pivots), update.column(column - n_pivots), n_pivots};
+      }
+
+      void add_element(const ElementMatrix &element, const FrontFactors &front,
+                       const Block &update) const
+      {
+        for (int j = 0; j < element.n; ++j)
+        {
+          const int     column = element.unknowns[j];
+          const Column  target = get_column(places[column], front, update);
+          const double *value  = element.values + j;
+          for (int i = 0; i < element.n; ++i, value += element.n)
+          {
+            const int row = element.unknowns[i];
+            target[places[row]] += scales[row] * scales[column] * *value;
+          }
+        }
+      }
+    };
 
     void gather(const std::vector<double> &vector, const int *unknowns, const unsigned int n,
                 std::vector<double> &result)
@@ -325,14 +189,27 @@ namespace caudal
     }
   } // namespace
 
-  void MultifrontalSolver::compute_scales(const Triplets &entries, const unsigned int n)
+  void MultifrontalSolver::compute_scales(const MatrixParts &matrix, const unsigned int n)
   {
     scales.assign(n, 0.);
+    const auto regard = [&](const int unknown, const double value) {
+      scales[unknown] = std::max(scales[unknown], std::abs(value));
+    };
+    for (const ElementMatrix &element : matrix.elements)
+    {
+      const double *value = element.values;
+      for (int i = 0; i < element.n; ++i)
+        for (int j = 0; j < element.n; ++j, ++value)
+        {
+          regard(element.unknowns[i], *value);
+          regard(element.unknowns[j], *value);
+        }
+    }
+    const Triplets &entries = matrix.entries;
     for (std::size_t k = 0; k < entries.values.size(); ++k)
     {
-      const double value         = std::abs(entries.values[k]);
-      scales[entries.rows[k]]    = std::max(scales[entries.rows[k]], value);
-      scales[entries.columns[k]] = std::max(scales[entries.columns[k]], value);
+      regard(entries.rows[k], entries.values[k]);
+      regard(entries.columns[k], entries.values[k]);
     }
     for (unsigned int i = 0; i < n; ++i)
       scales[i] = i < n_eliminated && scales[i] > 0. ? 1 / std::sqrt(scales[i]) : 1.;
@@ -347,78 +224,61 @@ namespace caudal
       factor_begins.push_back(factor_begins.back() + FrontFactors::count(front));
       exchange_begins.push_back(exchange_begins.back() + front.n_pivots);
     }
-    factors.assign(factor_begins.back(), 0.);
+    factors.resize(factor_begins.back());
     exchanges.resize(exchange_begins.back());
   }
 
-  void MultifrontalSolver::add_to_schur_complement(const EliminationTree::Front &front,
-                                                   const std::vector<double>    &update)
-  {
-    const int  *rest   = tree.unknowns.data() + front.begin + front.n_pivots;
-    std::size_t n_kept = scales.size() - n_eliminated;
-    for (unsigned int j = 0; j < front.n_rest; ++j)
-      for (unsigned int i = 0; i < front.n_rest; ++i)
-        schur_complement[(rest[i] - n_eliminated) * n_kept + rest[j] - n_eliminated] +=
-            update[static_cast<std::size_t>(j) * front.n_rest + i];
-  }
-
-  bool MultifrontalSolver::factorize(const std::vector<int> &group_begins, const Triplets &entries,
-                                     const unsigned int n_kept)
+  bool MultifrontalSolver::factorize(const std::vector<int> &group_begins,
+                                     const MatrixParts &matrix, const unsigned int n_kept)
   {
     const unsigned int n = group_begins.back();
     n_eliminated         = n - n_kept;
-    tree.build(group_begins, entries, n_kept);
-    compute_scales(entries, n);
+    tree.build(group_begins, matrix, n_kept);
+    compute_scales(matrix, n);
     lay_out_factors();
     schur_complement.assign(static_cast<std::size_t>(n_kept) * n_kept, 0.);
-    return eliminate(entries);
+    return eliminate(matrix);
   }
 
-  bool MultifrontalSolver::eliminate(const Triplets &entries)
+  bool MultifrontalSolver::eliminate(const MatrixParts &matrix)
   {
-    const EntriesOfFronts            entries_of_fronts(tree, scales, entries);
+    FrontAssembly                    assembly(tree, matrix, scales);
     std::vector<std::vector<double>> updates(tree.fronts.size());
     std::vector<std::vector<int>>    children(tree.fronts.size());
-    std::vector<int>                 local(scales.size()), places;
     std::vector<double>              buffer;
     unsigned int                     n_poor_pivots = 0;
+    const std::size_t                n_kept        = scales.size() - n_eliminated;
+    const auto add_to_schur_complement = [&](const int row, const int column, const double value) {
+      schur_complement[(row - n_eliminated) * n_kept + column - n_eliminated] += value;
+    };
     for (std::size_t f = 0; f < tree.fronts.size(); ++f)
     {
       const auto        &front = tree.fronts[f];
       const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
-      const int          n_pivots = front.n_pivots, n_rest = front.n_rest;
+      const int          n_rest = front.n_rest;
+      std::fill_n(&factors[factor_begins[f]], FrontFactors::count(front), 0.);
       updates[f].resize(static_cast<std::size_t>(n_rest) * n_rest);
       const Block update{updates[f].data(), n_rest, n_rest, n_rest};
-      for (int i = 0; i < n_pivots + n_rest; ++i)
-        local[tree.unknowns[front.begin + i]] = i;
 
-      const Entry *sorted = entries_of_fronts.sorted.data();
-      add_entries(sorted + entries_of_fronts.begins[f], sorted + entries_of_fronts.begins[f + 1],
-                  local, factor);
+      assembly.add_parts(f, factor, update);
       for (const int child : children[f])
       {
-        const auto &other = tree.fronts[child];
-        places.resize(other.n_rest);
-        for (unsigned int i = 0; i < other.n_rest; ++i)
-          places[i] = local[tree.unknowns[other.begin + other.n_pivots + i]];
-        add_update(updates[child], places, factor, update);
+        assembly.add_update(tree.fronts[child], updates[child], factor, update);
         std::vector<double>().swap(updates[child]);
       }
       if (!eliminate_pivots(factor, update, buffer))
         return false;
       n_poor_pivots += count_poor_pivots(factor);
+
+      const int *rest = tree.unknowns.data() + front.begin + front.n_pivots;
       if (front.parent >= 0)
         children[front.parent].push_back(f);
-      else if (n_rest > 0)
-        add_to_schur_complement(front, updates[f]);
+      else
+        for (int j = 0; j < n_rest; ++j)
+          for (int i = 0; i < n_rest; ++i)
+            add_to_schur_complement(rest[i], rest[j], update.column(j)[i]);
     }
-    const std::size_t n_kept = scales.size() - n_eliminated;
-    for (std::size_t e = entries_of_fronts.begins[tree.fronts.size()];
-         e < entries_of_fronts.sorted.size(); ++e)
-    {
-      const auto &[row, column, value] = entries_of_fronts.sorted[e];
-      schur_complement[(row - n_eliminated) * n_kept + column - n_eliminated] += value;
-    }
+    assembly.for_each_kept_entry(add_to_schur_complement);
     return n_poor_pivots <= largest_part_poor * n_eliminated;
   }
 

@@ -19,18 +19,6 @@ namespace caudal
      */
     constexpr double operations_per_unknown = 2.8e4;
 
-    struct Entry
-    {
-      int    row, column;
-      double value;
-
-      template <class Archive>
-      void serialize(Archive &archive, unsigned int /*version*/)
-      {
-        archive &row &column &value;
-      }
-    };
-
     /** Unknowns in groups: first those of the placed ones, then those of the others. */
     struct Groups
     {
@@ -67,10 +55,13 @@ namespace caudal
      */
     void cut_into_strips(const Groups &groups, const std::vector<double> &positions,
                          const std::vector<int> &sorted_unknowns, const std::vector<double> &shares,
-                         const Triplets &entries, MPI_Comm communicator, std::vector<int> &owner)
+                         const MatrixParts &matrix, MPI_Comm communicator, std::vector<int> &owner)
     {
-      std::vector<double> work(groups.n_placed_groups);
-      for (const int row : entries.rows)
+      std::vector<double> work(groups.n_placed_groups); // entries of the rows
+      for (const ElementMatrix &element : matrix.elements)
+        for (int i = 0; i < element.n; ++i)
+          work[groups.of_unknown[element.unknowns[i]]] += element.n;
+      for (const int row : matrix.entries.rows)
         if (groups.of_unknown[row] < groups.n_placed_groups)
           work[groups.of_unknown[row]] += 1;
       Utilities::MPI::sum(work, communicator, work);
@@ -108,17 +99,17 @@ namespace caudal
      */
     std::vector<int> find_owners(const Groups &groups, const std::vector<double> &positions,
                                  const std::vector<int>    &sorted_unknowns,
-                                 const std::vector<double> &shares, const Triplets &entries,
+                                 const std::vector<double> &shares, const MatrixParts &matrix,
                                  MPI_Comm communicator)
     {
       constexpr int    none = -1;
       std::vector<int> owner(groups.count(), none);
-      cut_into_strips(groups, positions, sorted_unknowns, shares, entries, communicator, owner);
+      cut_into_strips(groups, positions, sorted_unknowns, shares, matrix, communicator, owner);
       std::vector<std::pair<int, int>> pairs;
-      for (std::size_t k = 0; k < entries.values.size(); ++k)
+      for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
       {
-        const int row    = groups.of_unknown[entries.rows[k]];
-        const int column = groups.of_unknown[entries.columns[k]];
+        const int row    = groups.of_unknown[matrix.entries.rows[k]];
+        const int column = groups.of_unknown[matrix.entries.columns[k]];
         if (std::max(row, column) >= groups.n_placed_groups)
           pairs.emplace_back(row, column);
       }
@@ -147,34 +138,119 @@ namespace caudal
       return owner;
     }
 
-    /** All ranks' entries, each on the lower one of its row's and column's ranks. */
-    Triplets move_entries(const Triplets &entries, const Groups &groups,
-                          const std::vector<int> &owner, MPI_Comm communicator)
+    /** The parts of the matrix that are this rank's after an exchange: each goes to the lowest one
+     * of its unknowns' ranks. */
+    class OwnParts
     {
-      const int rank = Utilities::MPI::this_mpi_process(communicator);
-      std::map<unsigned int, std::vector<Entry>> moved;
-      Triplets                                   own;
-      for (std::size_t k = 0; k < entries.values.size(); ++k)
+    public:
+      OwnParts(const MatrixParts &matrix, const Groups &groups, const std::vector<int> &owner,
+               MPI_Comm communicator)
       {
-        const Entry entry{entries.rows[k], entries.columns[k], entries.values[k]};
-        const int   target =
-            std::min(owner[groups.of_unknown[entry.row]], owner[groups.of_unknown[entry.column]]);
-        if (target == rank)
-          own.add(entry.row, entry.column, entry.value);
-        else
-          moved[target].push_back(entry);
+        const int  rank      = Utilities::MPI::this_mpi_process(communicator);
+        const auto get_owner = [&](const int unknown) { return owner[groups.of_unknown[unknown]]; };
+        std::map<unsigned int, std::vector<int>>    moved_indices;
+        std::map<unsigned int, std::vector<double>> moved_values;
+        for (const ElementMatrix &element : matrix.elements)
+        {
+          int target = get_owner(element.unknowns[0]);
+          for (int i = 1; i < element.n; ++i)
+            target = std::min(target, get_owner(element.unknowns[i]));
+          if (target == rank)
+            add(element);
+          else
+          {
+            std::vector<int> &indices = moved_indices[target];
+            indices.push_back(element.n);
+            indices.insert(indices.end(), element.unknowns, element.unknowns + element.n);
+            moved_values[target].insert(moved_values[target].end(), element.values,
+                                        element.values + element.n_entries());
+          }
+        }
+        const Triplets &entries = matrix.entries;
+        for (std::size_t k = 0; k < entries.values.size(); ++k)
+        {
+          const int target = std::min(get_owner(entries.rows[k]), get_owner(entries.columns[k]));
+          if (target == rank)
+            parts.entries.add(entries.rows[k], entries.columns[k], entries.values[k]);
+          else
+          {
+            std::vector<int> &indices = moved_indices[target];
+            indices.insert(indices.end(), {single_entry, entries.rows[k], entries.columns[k]});
+            moved_values[target].push_back(entries.values[k]);
+          }
+        }
+        // The order of the ranks, not of the messages' arrival.
+        const auto indices = Utilities::MPI::some_to_some(communicator, moved_indices);
+        received_values    = Utilities::MPI::some_to_some(communicator, moved_values);
+        for (const auto &[source, received] : indices)
+          unpack(received, received_values.at(source));
+        std::size_t begin = 0;
+        for (ElementMatrix &element : parts.elements)
+        {
+          element.unknowns = unknowns.data() + begin;
+          begin += element.n;
+        }
       }
-      for (const auto &[source, received] : Utilities::MPI::some_to_some(communicator, moved))
-        for (const auto &[row, column, value] : received)
-          own.add(row, column, value);
-      return own;
-    }
 
-    /** Which groups this rank's entries touch. */
-    std::vector<int> find_touched(const Groups &groups, const Triplets &entries)
+      OwnParts(const OwnParts &)            = delete;
+      OwnParts &operator=(const OwnParts &) = delete;
+
+      const MatrixParts &get() const
+      {
+        return parts;
+      }
+
+      /** Each unknown becomes new_index[unknown]. */
+      void renumber(const std::vector<int> &new_index)
+      {
+        for (auto *indices : {&unknowns, &parts.entries.rows, &parts.entries.columns})
+          for (int &index : *indices)
+            index = new_index[index];
+      }
+
+    private:
+      /** In messages in place of an element's number of unknowns. */
+      static constexpr int single_entry = -1;
+
+      MatrixParts                                 parts;
+      std::vector<int>                            unknowns; // of the elements
+      std::map<unsigned int, std::vector<double>> received_values;
+
+      /** Its unknowns are copied, and found when all are there. */
+      void add(const ElementMatrix &element)
+      {
+        unknowns.insert(unknowns.end(), element.unknowns, element.unknowns + element.n);
+        parts.elements.push_back({element.n, nullptr, element.values});
+      }
+
+      void unpack(const std::vector<int> &indices, const std::vector<double> &values)
+      {
+        const double *value = values.data();
+        for (const int *index = indices.data(); index != indices.data() + indices.size();)
+          if (*index == single_entry)
+          {
+            parts.entries.add(index[1], index[2], *value);
+            index += 3;
+            ++value;
+          }
+          else
+          {
+            const ElementMatrix element{*index, index + 1, value};
+            add(element);
+            index += 1 + element.n;
+            value += element.n_entries();
+          }
+      }
+    };
+
+    /** Which groups this rank's parts touch. */
+    std::vector<int> find_touched(const Groups &groups, const MatrixParts &matrix)
     {
       std::vector<int> touched(groups.count());
-      for (const auto *indices : {&entries.rows, &entries.columns})
+      for (const ElementMatrix &element : matrix.elements)
+        for (int i = 0; i < element.n; ++i)
+          touched[groups.of_unknown[element.unknowns[i]]] = 1;
+      for (const auto *indices : {&matrix.entries.rows, &matrix.entries.columns})
         for (const int unknown : *indices)
           touched[groups.of_unknown[unknown]] = 1;
       return touched;
@@ -237,32 +313,34 @@ namespace caudal
                      [&](const int a, const int b) { return positions[a] < positions[b]; });
   }
 
-  void SubstructuredSolver::factorize(const int n, const Triplets &entries,
+  void SubstructuredSolver::factorize(const int n, const MatrixParts &parts,
                                       const unsigned int group_size)
   {
     factorized = false;
-    if (!try_to_factorize(n, entries, group_size))
+    if (!try_to_factorize(n, parts, group_size))
     {
       in_strips = false;
-      try_to_factorize(n, entries, group_size);
+      try_to_factorize(n, parts, group_size);
     }
     draw_conclusions();
     factorized = true;
   }
 
-  bool SubstructuredSolver::try_to_factorize(const int n, const Triplets &entries,
+  bool SubstructuredSolver::try_to_factorize(const int n, const MatrixParts &parts,
                                              const unsigned int group_size)
   {
-    const Groups groups(positions.size(), n, group_size);
-    Triplets     own;
+    const Groups            groups(positions.size(), n, group_size);
+    std::optional<OwnParts> own;
+    std::vector<int>        touched(groups.count(), 1);
     if (n_ranks > 1)
-      own = move_entries(
-          entries, groups,
-          in_strips ? find_owners(groups, positions, sorted_unknowns, shares, entries, communicator)
-                    : std::vector<int>(groups.count(), 0),
-          communicator);
-    const std::vector<int> touched =
-        n_ranks > 1 ? find_touched(groups, own) : std::vector<int>(groups.count(), 1);
+    {
+      own.emplace(parts, groups,
+                  in_strips
+                      ? find_owners(groups, positions, sorted_unknowns, shares, parts, communicator)
+                      : std::vector<int>(groups.count(), 0),
+                  communicator);
+      touched = find_touched(groups, own->get());
+    }
     std::vector<int> n_touching(touched);
     Utilities::MPI::sum(n_touching, communicator, n_touching);
 
@@ -295,32 +373,31 @@ namespace caudal
         }
       }
     group_begins.push_back(unknowns.size());
-    for (auto *indices : {&own.rows, &own.columns})
-      for (int &index : *indices)
-        index = place[index];
+    if (own)
+      own->renumber(place);
 
-    bool            is_sound    = true;
-    const Triplets &all_entries = n_ranks > 1 ? own : entries;
+    bool               is_sound = true;
+    const MatrixParts &matrix   = own ? own->get() : parts;
     run_on_all(communicator, [&]() {
       if (n_interior == 0)
         return;
       if (in_strips)
-        is_sound = interior.factorize(group_begins, all_entries, interface_places.size());
+        is_sound = interior.factorize(group_begins, matrix, interface_places.size());
       else
       {
         if (!exchanging_solver)
           exchanging_solver.emplace();
-        exchanging_solver->factorize(group_begins, all_entries);
+        exchanging_solver->factorize(group_begins, matrix.to_triplets());
       }
     });
     if (Utilities::MPI::min(static_cast<int>(is_sound), communicator) == 0)
       return false;
     if (!interface_unknowns.empty())
-      factorize_interface(own);
+      factorize_interface(matrix);
     return true;
   }
 
-  void SubstructuredSolver::factorize_interface(const Triplets &entries)
+  void SubstructuredSolver::factorize_interface(const MatrixParts &matrix)
   {
     const std::size_t   n_own = interface_places.size(), n = interface_unknowns.size();
     std::vector<double> sum(n * n);
@@ -328,8 +405,11 @@ namespace caudal
       sum[interface_places[row] * n + interface_places[column]] += value;
     };
     if (n_interior == 0)
+    {
+      const Triplets entries = matrix.to_triplets();
       for (std::size_t k = 0; k < entries.values.size(); ++k)
         add(entries.rows[k], entries.columns[k], entries.values[k]);
+    }
     else
       for (std::size_t i = 0; i < n_own; ++i)
         for (std::size_t j = 0; j < n_own; ++j)

@@ -15,7 +15,9 @@ namespace caudal
     const Utilities::MPI::Partitioner partitioner(dofs.locally_owned_dofs(), relevant,
                                                   dofs.get_communicator());
     unknowns.clear();
+    local_unknowns.clear();
     constrained.clear();
+    local_constrained.clear();
     resolutions.clear();
     unknowns_begin.assign(1, 0);
     constrained_begin.assign(1, 0);
@@ -42,10 +44,14 @@ namespace caudal
           {
             for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
               resolution[i].emplace_back(get_index(dof), weight);
-            constrained.push_back({cell_dofs[i], partitioner.global_to_local(cell_dofs[i])});
+            constrained.push_back(cell_dofs[i]);
+            local_constrained.push_back(partitioner.global_to_local(cell_dofs[i]));
           }
         for (const auto dof : resolved)
-          unknowns.push_back({dof, partitioner.global_to_local(dof)});
+        {
+          unknowns.push_back(dof);
+          local_unknowns.push_back(partitioner.global_to_local(dof));
+        }
         const bool is_constrained = constrained.size() > constrained_begin.back();
         resolutions.push_back(is_constrained ? resolution : std::vector<Resolution>());
         unknowns_begin.push_back(unknowns.size());
@@ -87,36 +93,35 @@ namespace caudal
     std::vector<double> input;
     for (unsigned int cell = 0; cell + 1 < unknowns_begin.size(); ++cell)
     {
-      const Unknown    *cell_unknowns = unknowns.data() + unknowns_begin[cell];
-      const std::size_t n             = unknowns_begin[cell + 1] - unknowns_begin[cell];
-      const double     *row           = values.data() + values_begin[cell];
+      const unsigned int *place = local_unknowns.data() + unknowns_begin[cell];
+      const std::size_t   n     = unknowns_begin[cell + 1] - unknowns_begin[cell];
+      const double       *row   = values.data() + values_begin[cell];
       input.resize(n);
       for (std::size_t i = 0; i < n; ++i)
-        input[i] = in[cell_unknowns[i].local];
+        input[i] = in[place[i]];
       for (std::size_t i = 0; i < n; ++i, row += n)
       {
         double sum = 0;
         for (std::size_t j = 0; j < n; ++j)
           sum += row[j] * input[j];
-        out[cell_unknowns[i].local] += sum;
+        out[place[i]] += sum;
       }
       for (std::size_t i = constrained_begin[cell]; i < constrained_begin[cell + 1]; ++i)
-        out[constrained[i].local] += diagonals[cell] * in[constrained[i].local];
+        out[local_constrained[i]] += diagonals[cell] * in[local_constrained[i]];
     }
     result.compress(VectorOperation::add);
   }
 
-  void CellwiseMatrix::append_entries(Triplets &entries) const
+  void CellwiseMatrix::append_to(MatrixParts &matrix) const
   {
     for (unsigned int cell = 0; cell + 1 < unknowns_begin.size(); ++cell)
     {
-      const double *value = values.data() + values_begin[cell];
-      for (std::size_t i = unknowns_begin[cell]; i < unknowns_begin[cell + 1]; ++i)
-        for (std::size_t j = unknowns_begin[cell]; j < unknowns_begin[cell + 1]; ++j, ++value)
-          if (*value != 0.)
-            entries.add(unknowns[i].global, unknowns[j].global, *value);
+      const int n = unknowns_begin[cell + 1] - unknowns_begin[cell];
+      if (n > 0)
+        matrix.elements.push_back(
+            {n, &unknowns[unknowns_begin[cell]], &values[values_begin[cell]]});
       for (std::size_t i = constrained_begin[cell]; i < constrained_begin[cell + 1]; ++i)
-        entries.add(constrained[i].global, constrained[i].global, diagonals[cell]);
+        matrix.entries.add(constrained[i], constrained[i], diagonals[cell]);
     }
   }
 

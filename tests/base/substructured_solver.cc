@@ -1,6 +1,7 @@
 // The direct solver on one to three ranks: a chain of groups of two that the ranks share, three
 // unknowns that all ranks hold and whose entries rank 0 has (one reaches over the ranks' border,
-// one is known to the others only, one to nobody), entries given in parts by several ranks. The
+// one is known to the others only, one to nobody), entries given in parts by several ranks, and
+// element matrices, of which some belong to another rank's strip. The
 // solution is the one the right hand side was made of; equal solutions have equal bits; a
 // singular matrix is an error of all ranks.
 
@@ -18,29 +19,49 @@ namespace
 {
   constexpr int n_chain = 24, n_free = 3, n = n_chain + n_free;
 
-  /** The matrix; each rank has the rows of its part of the chain, rank 0 those of the others. */
-  Triplets make_entries(const IndexSet &owned, const bool is_root, const double middle)
+  /**
+   * The matrix: each rank has the elements of three that begin in its part of the chain, and
+   * couplings of this part; rank 0 has those of the others.
+   */
+  struct Matrix
   {
-    Triplets entries;
-    for (const int i : owned)
-      for (int j = std::max(0, i - 2); j < std::min(n_chain, i + 3); ++j)
-        entries.add(i, j, i == j ? 5 + 0.1 * i : 1. / (1 + i - j + 4));
-    for (const int i : owned)
-      if (std::abs(i - n_chain / 2) < 2 && middle != 0)
-      {
-        entries.add(i, n_chain, middle);
-        entries.add(n_chain, i, 0.5 * middle); // a part of it
-        entries.add(n_chain, i, 0.5 * middle);
-      }
-    if (is_root)
+    Matrix(const IndexSet &owned, const bool is_root, const double middle)
     {
-      entries.add(n_chain, n_chain + 1, 2);
-      entries.add(n_chain + 1, n_chain, -1);
-      entries.add(n_chain + 1, n_chain + 1, 3);
-      entries.add(n_chain + 2, n_chain + 2, middle);
+      constexpr int size = 3;
+      for (const int i : owned)
+        if (i + size <= n_chain)
+          for (int k = 0; k < size; ++k)
+            unknowns.push_back(i + k);
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        for (int j = 0; j < size; ++j)
+          values.push_back(static_cast<int>(k % size) == j ? 2 + 0.1 * unknowns[k]
+                                                           : 1. / (5 + k % size - j));
+      for (std::size_t k = 0; k < unknowns.size(); k += size)
+        parts.elements.push_back({size, &unknowns[k], &values[k * size]});
+
+      Triplets &entries = parts.entries;
+      for (const int i : owned)
+        if (std::abs(i - n_chain / 2) < 2 && middle != 0)
+        {
+          entries.add(i, n_chain, middle);
+          entries.add(n_chain, i, 0.5 * middle); // a part of it
+          entries.add(n_chain, i, 0.5 * middle);
+        }
+      if (is_root)
+      {
+        entries.add(n_chain, n_chain + 1, 2);
+        entries.add(n_chain + 1, n_chain, -1);
+        entries.add(n_chain + 1, n_chain + 1, 3);
+        entries.add(n_chain + 2, n_chain + 2, middle);
+      }
     }
-    return entries;
-  }
+
+    Matrix(const Matrix &) = delete;
+
+    std::vector<int>    unknowns;
+    std::vector<double> values;
+    MatrixParts         parts;
+  };
 } // namespace
 
 int main(int argc, char **argv)
@@ -61,7 +82,8 @@ int main(int argc, char **argv)
   std::vector<BlockFieldVector> solutions;
   for (const double middle : {1., 4., 4.})
   {
-    Triplets entries = make_entries(owned, rank == 0, middle);
+    const Matrix   matrix(owned, rank == 0, middle);
+    const Triplets entries = matrix.parts.to_triplets();
     // The right hand side: all ranks' products with the solution.
     std::vector<double> rhs(n);
     for (std::size_t k = 0; k < entries.values.size(); ++k)
@@ -78,7 +100,7 @@ int main(int argc, char **argv)
       vector.block(1)[i] = rhs[n_chain + i];
 
     solver.set_positions(std::vector<double>(owned.begin(), owned.end()));
-    solver.factorize(n, entries, 2);
+    solver.factorize(n, matrix.parts, 2);
     solver.solve(vector);
     double error = 0;
     for (const auto i : owned)
@@ -96,10 +118,10 @@ int main(int argc, char **argv)
                         solutions[2].block(b).begin());
   out << "equal bits " << (Utilities::MPI::min<int>(equal, communicator) == 1) << std::endl;
 
-  Triplets entries = make_entries(owned, rank == 0, 0);
+  const Matrix matrix(owned, rank == 0, 0);
   try
   {
-    solver.factorize(n, entries, 2);
+    solver.factorize(n, matrix.parts, 2);
     out << "not noticed" << std::endl;
   }
   catch (ExceptionBase &)

@@ -1,7 +1,7 @@
 #ifndef caudal_base_direct_solver_h
 #define caudal_base_direct_solver_h
 
-#include <caudal/base/types.h>
+#include <caudal/base/matrix_parts.h>
 
 #include <memory>
 #include <vector>

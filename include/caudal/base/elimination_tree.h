@@ -1,7 +1,7 @@
 #ifndef caudal_base_elimination_tree_h
 #define caudal_base_elimination_tree_h
 
-#include <caudal/base/types.h>
+#include <caudal/base/matrix_parts.h>
 
 #include <vector>
 
@@ -28,11 +28,12 @@ namespace caudal
     };
 
     /**
-     * @p entries: those of the matrix. Unknowns are ordered in groups with consecutive indices:
-     * @p group_begins has their first unknowns, and the number of all unknowns behind
-     * them. The last @p n_kept unknowns, which are whole groups, are not eliminated.
+     * Unknowns of @p matrix are ordered in groups with consecutive indices: @p group_begins has
+     * their first unknowns, and the number of all unknowns behind them. The last @p n_kept
+     * unknowns, which are whole groups, are not eliminated.
      */
-    void build(const std::vector<int> &group_begins, const Triplets &entries, unsigned int n_kept);
+    void build(const std::vector<int> &group_begins, const MatrixParts &matrix,
+               unsigned int n_kept);
 
     std::vector<Front> fronts;
     std::vector<int>   unknowns;

@@ -21,13 +21,13 @@ namespace caudal
   {
   public:
     /**
-     * Orders and factorises the matrix that is the sum of all @p entries (indices from 0).
-     * Unknowns are ordered in groups with consecutive indices, such as the components of a
-     * velocity: @p group_begins has their first unknowns, and behind them the number of all
-     * unknowns. The last @p n_kept unknowns, which are whole groups, are not eliminated.
-     * Returns whether there are sound pivots; if not, there are no factors.
+     * Orders and factorises @p matrix (indices from 0). Unknowns are ordered in groups with
+     * consecutive indices, such as the components of a velocity: @p group_begins has their first
+     * unknowns, and behind them the number of all unknowns. The last @p n_kept unknowns, which are
+     * whole groups, are not eliminated. Returns whether there are sound pivots; if not, there are
+     * no factors.
      */
-    bool factorize(const std::vector<int> &group_begins, const Triplets &entries,
+    bool factorize(const std::vector<int> &group_begins, const MatrixParts &matrix,
                    unsigned int n_kept = 0);
 
     /** S, row by row. */
@@ -66,11 +66,9 @@ namespace caudal
     std::vector<int>         exchanges;
     std::vector<double>      schur_complement;
 
-    void compute_scales(const Triplets &entries, unsigned int n);
+    void compute_scales(const MatrixParts &matrix, unsigned int n);
     void lay_out_factors();
-    void add_to_schur_complement(const EliminationTree::Front &front,
-                                 const std::vector<double>    &update);
-    bool eliminate(const Triplets &entries);
+    bool eliminate(const MatrixParts &matrix);
   };
 } // namespace caudal
 

@@ -3,6 +3,7 @@
 
 #include <caudal/base/direct_solver.h>
 #include <caudal/base/multifrontal_solver.h>
+#include <caudal/base/types.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -31,12 +32,13 @@ namespace caudal
     void set_positions(const std::vector<double> &positions);
 
     /**
-     * Orders and factorises the @p n x @p n matrix that is the sum of all @p entries of all ranks
-     * (indices from 0). Unknowns behind those with a position go to where their neighbours are.
+     * Orders and factorises the @p n x @p n matrix that is the sum of all ranks' parts (indices
+     * from 0). Unknowns behind those with a position go to where their neighbours are; they have
+     * no elements.
      * Groups of @p group_size unknowns, which are at one position, stay together.
      * Throws on all ranks if the matrix is singular or memory runs out on one of them.
      */
-    void factorize(int n, const Triplets &entries, unsigned int group_size = 1);
+    void factorize(int n, const MatrixParts &parts, unsigned int group_size = 1);
 
     /**
      * Replaces @p vector by the solution: the unknowns in their order, block by block and rank
@@ -99,8 +101,8 @@ namespace caudal
     dealii::LAPACKFullMatrix<double> interface_matrix;
 
     /** Returns whether the pivots are sound. */
-    bool try_to_factorize(int n, const Triplets &entries, unsigned int group_size);
-    void factorize_interface(const Triplets &entries);
+    bool try_to_factorize(int n, const MatrixParts &parts, unsigned int group_size);
+    void factorize_interface(const MatrixParts &matrix);
     /** Learns from what the elimination took, so that the ranks finish together next time. */
     void draw_conclusions();
   };

@@ -23,35 +23,6 @@ namespace caudal
 
   /** Several of them: the unknowns of a coupled linear system. */
   using BlockFieldVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
-
-  /** Entries (row, column, value) of a distributed matrix; entries of one place add up. */
-  struct Triplets
-  {
-    std::vector<int>    rows;
-    std::vector<int>    columns;
-    std::vector<double> values;
-
-    void add(const int row, const int column, const double value)
-    {
-      rows.push_back(row);
-      columns.push_back(column);
-      values.push_back(value);
-    }
-
-    void reserve(const std::size_t n_entries)
-    {
-      rows.reserve(n_entries);
-      columns.reserve(n_entries);
-      values.reserve(n_entries);
-    }
-
-    void clear()
-    {
-      rows.clear();
-      columns.clear();
-      values.clear();
-    }
-  };
 } // namespace caudal
 
 #endif

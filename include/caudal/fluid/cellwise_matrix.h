@@ -1,6 +1,7 @@
 #ifndef caudal_fluid_cellwise_matrix_h
 #define caudal_fluid_cellwise_matrix_h
 
+#include <caudal/base/matrix_parts.h>
 #include <caudal/base/types.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -30,31 +31,23 @@ namespace caudal
     /** result = A source; updates the ghost entries of @p source. Collective. */
     void vmult(FieldVector &result, const FieldVector &source) const;
 
-    /** An upper bound of the number of entries of append_entries(). */
-    std::size_t n_entries() const
-    {
-      return values.size() + constrained.size();
-    }
-
-    /** Appends the cells' entries, of which several can be at one place. */
-    void append_entries(Triplets &entries) const;
+    /** Appends this rank's cells. They refer to this object and are valid until it changes. */
+    void append_to(MatrixParts &matrix) const;
 
   private:
-    /** A global unknown and its place among this rank's owned and ghost entries. */
-    struct Unknown
-    {
-      types::global_dof_index global;
-      unsigned int            local;
-    };
     /** What an unknown of a constrained cell stands for: the cell's unknowns times weights. */
     using Resolution = std::vector<std::pair<unsigned int, double>>;
 
     /** Begins of the cells in the vectors below, and the ends. */
     std::vector<std::size_t> unknowns_begin, constrained_begin, values_begin;
-    std::vector<Unknown>     unknowns;    // after the constraints are resolved
-    std::vector<Unknown>     constrained; // those of the cells that are constrained
-    std::vector<double>      values;      // row by row
-    std::vector<double>      diagonals;   // for the constrained unknowns of each cell
+    /** After the constraints are resolved: global indices, and those among this rank's entries. */
+    std::vector<int>          unknowns;
+    std::vector<unsigned int> local_unknowns;
+    /** Those of the cells that are constrained, likewise. */
+    std::vector<int>          constrained;
+    std::vector<unsigned int> local_constrained;
+    std::vector<double>       values;    // row by row
+    std::vector<double>       diagonals; // for the constrained unknowns of each cell
     /** For each cell that has constrained unknowns all of its resolutions, else none. */
     std::vector<std::vector<Resolution>> resolutions;
   };
