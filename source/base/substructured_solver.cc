@@ -1,10 +1,10 @@
 #include <caudal/base/substructured_solver.h>
 
 #include <caudal/base/collective.h>
+#include <caudal/base/own_parts.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 using namespace dealii;
@@ -138,111 +138,6 @@ namespace caudal
       return owner;
     }
 
-    /** The parts of the matrix that are this rank's after an exchange: each goes to the lowest one
-     * of its unknowns' ranks. */
-    class OwnParts
-    {
-    public:
-      OwnParts(const MatrixParts &matrix, const Groups &groups, const std::vector<int> &owner,
-               MPI_Comm communicator)
-      {
-        const int  rank      = Utilities::MPI::this_mpi_process(communicator);
-        const auto get_owner = [&](const int unknown) { return owner[groups.of_unknown[unknown]]; };
-        std::map<unsigned int, std::vector<int>>    moved_indices;
-        std::map<unsigned int, std::vector<double>> moved_values;
-        for (const ElementMatrix &element : matrix.elements)
-        {
-          int target = get_owner(element.unknowns[0]);
-          for (int i = 1; i < element.n; ++i)
-            target = std::min(target, get_owner(element.unknowns[i]));
-          if (target == rank)
-            add(element);
-          else
-          {
-            std::vector<int> &indices = moved_indices[target];
-            indices.push_back(element.n);
-            indices.insert(indices.end(), element.unknowns, element.unknowns + element.n);
-            moved_values[target].insert(moved_values[target].end(), element.values,
-                                        element.values + element.n_entries());
-          }
-        }
-        const Triplets &entries = matrix.entries;
-        for (std::size_t k = 0; k < entries.values.size(); ++k)
-        {
-          const int target = std::min(get_owner(entries.rows[k]), get_owner(entries.columns[k]));
-          if (target == rank)
-            parts.entries.add(entries.rows[k], entries.columns[k], entries.values[k]);
-          else
-          {
-            std::vector<int> &indices = moved_indices[target];
-            indices.insert(indices.end(), {single_entry, entries.rows[k], entries.columns[k]});
-            moved_values[target].push_back(entries.values[k]);
-          }
-        }
-        // The order of the ranks, not of the messages' arrival.
-        const auto indices = Utilities::MPI::some_to_some(communicator, moved_indices);
-        received_values    = Utilities::MPI::some_to_some(communicator, moved_values);
-        for (const auto &[source, received] : indices)
-          unpack(received, received_values.at(source));
-        std::size_t begin = 0;
-        for (ElementMatrix &element : parts.elements)
-        {
-          element.unknowns = unknowns.data() + begin;
-          begin += element.n;
-        }
-      }
-
-      OwnParts(const OwnParts &)            = delete;
-      OwnParts &operator=(const OwnParts &) = delete;
-
-      const MatrixParts &get() const
-      {
-        return parts;
-      }
-
-      /** Each unknown becomes new_index[unknown]. */
-      void renumber(const std::vector<int> &new_index)
-      {
-        for (auto *indices : {&unknowns, &parts.entries.rows, &parts.entries.columns})
-          for (int &index : *indices)
-            index = new_index[index];
-      }
-
-    private:
-      /** In messages in place of an element's number of unknowns. */
-      static constexpr int single_entry = -1;
-
-      MatrixParts                                 parts;
-      std::vector<int>                            unknowns; // of the elements
-      std::map<unsigned int, std::vector<double>> received_values;
-
-      /** Its unknowns are copied, and found when all are there. */
-      void add(const ElementMatrix &element)
-      {
-        unknowns.insert(unknowns.end(), element.unknowns, element.unknowns + element.n);
-        parts.elements.push_back({element.n, nullptr, element.values});
-      }
-
-      void unpack(const std::vector<int> &indices, const std::vector<double> &values)
-      {
-        const double *value = values.data();
-        for (const int *index = indices.data(); index != indices.data() + indices.size();)
-          if (*index == single_entry)
-          {
-            parts.entries.add(index[1], index[2], *value);
-            index += 3;
-            ++value;
-          }
-          else
-          {
-            const ElementMatrix element{*index, index + 1, value};
-            add(element);
-            index += 1 + element.n;
-            value += element.n_entries();
-          }
-      }
-    };
-
     /** Which groups this rank's parts touch. */
     std::vector<int> find_touched(const Groups &groups, const MatrixParts &matrix)
     {
@@ -334,11 +229,15 @@ namespace caudal
     std::vector<int>        touched(groups.count(), 1);
     if (n_ranks > 1)
     {
-      own.emplace(parts, groups,
-                  in_strips
-                      ? find_owners(groups, positions, sorted_unknowns, shares, parts, communicator)
-                      : std::vector<int>(groups.count(), 0),
-                  communicator);
+      std::vector<int> rank_of(n, 0);
+      if (in_strips)
+      {
+        const std::vector<int> owner =
+            find_owners(groups, positions, sorted_unknowns, shares, parts, communicator);
+        std::transform(groups.of_unknown.begin(), groups.of_unknown.end(), rank_of.begin(),
+                       [&](const int group) { return owner[group]; });
+      }
+      own.emplace(parts, rank_of, communicator);
       touched = find_touched(groups, own->get());
     }
     std::vector<int> n_touching(touched);
