@@ -1,6 +1,10 @@
 #include <caudal/base/expression.h>
 #include <caudal/fluid/body_force.h>
 
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 namespace caudal
 {
   namespace
@@ -9,36 +13,50 @@ namespace caudal
   }
 
   template <int dim>
-  BodyForce<dim>::BodyForce(const FluidParameters<dim> &parameters, const double time)
-      : expression(parameters.body_force)
-      , components(dim)
+  BodyForceLoads<dim>::BodyForceLoads(const FluidParameters<dim> &parameters)
+      : parameters(parameters)
+  {}
+
+  template <int dim>
+  void BodyForceLoads<dim>::clear()
   {
-    if (!parameters.has_body_force())
+    is_valid = false;
+  }
+
+  template <int dim>
+  void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const double new_time)
+  {
+    if (are_zero() || (is_valid && time == new_time))
       return;
-    function = make_expression<dim>(path, expression, dim);
-    function->set_time(time);
+    is_valid            = false;
+    const auto &element = dofs.get_fe();
+    n_per_cell          = element.n_dofs_per_cell();
+    loads.assign(dofs.get_triangulation().n_active_cells() * n_per_cell, 0.);
+
+    const auto function = make_expression<dim>(path, parameters.body_force, dim);
+    function->set_time(new_time);
+    FEValues<dim>  values(element, QGauss<dim>(element.degree + 1),
+                          update_values | update_quadrature_points | update_JxW_values);
+    Vector<double> force(dim);
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        double *load = &loads[cell->active_cell_index() * n_per_cell];
+        values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+        {
+          function->vector_value(values.quadrature_point(q), force);
+          if (!numbers::is_finite(force.norm_sqr()))
+            check_finite(path, parameters.body_force, *function, values.quadrature_point(q));
+          for (unsigned int i = 0; i < n_per_cell; ++i)
+            load[i] += force[element.system_to_component_index(i).first] *
+                       values.shape_value(i, q) * values.JxW(q);
+        }
+      }
+    time     = new_time;
+    is_valid = true;
   }
 
-  template <int dim>
-  bool BodyForce<dim>::is_zero() const
-  {
-    return function == nullptr;
-  }
-
-  template <int dim>
-  Tensor<1, dim> BodyForce<dim>::value(const Point<dim> &point)
-  {
-    Tensor<1, dim> force;
-    if (is_zero())
-      return force;
-    function->vector_value(point, components);
-    for (unsigned int d = 0; d < dim; ++d)
-      force[d] = components[d];
-    if (!numbers::is_finite(force.norm_square()))
-      check_finite(path, expression, *function, point);
-    return force;
-  }
-
-  template class BodyForce<2>;
-  template class BodyForce<3>;
+  template class BodyForceLoads<2>;
+  template class BodyForceLoads<3>;
 } // namespace caudal

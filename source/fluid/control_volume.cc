@@ -1,4 +1,3 @@
-#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/control_volume.h>
 #include <caudal/fluid/face_flow.h>
 
@@ -138,24 +137,21 @@ namespace caudal
       return space.get_parameters().density * momentum;
     }
 
-    /** int_V f of this rank's cells */
+    /** int_V f of this rank's cells: the shape functions of a component add up to one. */
     template <int dim>
     Tensor<1, dim> integrate_body_force(const FluidSpace<dim> &space, const BoundingBox<dim> &box,
                                         const double time)
     {
-      Tensor<1, dim> force;
-      BodyForce<dim> body_force(space.get_parameters(), time);
-      if (body_force.is_zero())
+      Tensor<1, dim>             force;
+      const BodyForceLoads<dim> &body_force = space.get_body_force_loads(time);
+      if (body_force.are_zero())
         return force;
-      const QGauss<dim> quadrature(space.velocity_element.degree + 1);
-      FEValues<dim>     values(space.velocity_element, quadrature,
-                               update_quadrature_points | update_JxW_values);
-      for (const auto &cell : space.get_triangulation().active_cell_iterators())
+      for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned() && is_in(box, *cell))
         {
-          values.reinit(cell);
-          for (const unsigned int q : values.quadrature_point_indices())
-            force += body_force.value(values.quadrature_point(q)) * values.JxW(q);
+          const auto loads = body_force.get(cell);
+          for (unsigned int i = 0; i < loads.size(); ++i)
+            force[space.velocity_element.system_to_component_index(i).first] += loads[i];
         }
       return force;
     }

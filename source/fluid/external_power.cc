@@ -1,4 +1,3 @@
-#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/external_power.h>
 #include <caudal/fluid/face_flow.h>
 
@@ -69,21 +68,18 @@ namespace caudal
     double compute_body_force_power(const FluidSpace<dim> &space, const FieldVector &velocity,
                                     const double time)
     {
-      BodyForce<dim> body_force(space.get_parameters(), time);
-      if (body_force.is_zero())
+      const BodyForceLoads<dim> &body_force = space.get_body_force_loads(time);
+      if (body_force.are_zero())
         return 0.;
-      const QGauss<dim>           quadrature(space.velocity_element.degree + 1);
-      FEValues<dim>               values(space.velocity_element, quadrature,
-                                         update_values | update_quadrature_points | update_JxW_values);
-      std::vector<Tensor<1, dim>> at(quadrature.size());
-      double                      power = 0.;
+      Vector<double> values(space.velocity_element.n_dofs_per_cell());
+      double         power = 0.;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
-          values.reinit(cell);
-          values[FEValuesExtractors::Vector(0)].get_function_values(velocity, at);
-          for (const unsigned int q : values.quadrature_point_indices())
-            power += body_force.value(values.quadrature_point(q)) * at[q] * values.JxW(q);
+          cell->get_dof_values(velocity, values);
+          const auto loads = body_force.get(cell);
+          for (unsigned int i = 0; i < loads.size(); ++i)
+            power += loads[i] * values[i];
         }
       return power;
     }

@@ -51,6 +51,7 @@ namespace caudal
       , triangulation(triangulation)
       , parameters(parameters)
       , domain_size(domain.size)
+      , body_force_loads(parameters)
   {
     for (unsigned int level = 0; level < domain.levels; ++level)
       cell_matrices.emplace_back(velocity_element, pressure_element, domain.get_cell_size(level));
@@ -59,6 +60,7 @@ namespace caudal
   template <int dim>
   void FluidSpace<dim>::reinit()
   {
+    body_force_loads.clear();
     velocity_dofs.distribute_dofs(velocity_element);
     pressure_dofs.distribute_dofs(pressure_element);
     homogeneous_constraints.copy_from(make_constraints(0, true));

@@ -1,5 +1,4 @@
 #include <caudal/base/collective.h>
-#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/momentum_operator.h>
 
 #include <deal.II/base/qprojector.h>
@@ -162,9 +161,7 @@ namespace caudal
         , transport(values.size())
         , pressures(space.pressure_element.n_dofs_per_cell())
         , convection(values.size() / dim, values.size() / dim)
-        , force_values(space.velocity_element, QGauss<dim>(3),
-                       update_values | update_quadrature_points | update_JxW_values)
-        , body_force(parameters, step.time)
+        , body_force(space.get_body_force_loads(step.time))
     {
       for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
       {
@@ -198,8 +195,12 @@ namespace caudal
       }
       Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
       matrices.get_divergence().Tvmult_add(residual, pressures);
-      if (!body_force.is_zero())
-        add_body_force(cell, residual);
+      if (!body_force.are_zero())
+      {
+        const auto loads = body_force.get(cell);
+        for (unsigned int i = 0; i < residual.size(); ++i)
+          residual[i] += loads[i];
+      }
     }
 
     /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
@@ -227,8 +228,7 @@ namespace caudal
     Vector<double>                  values, product, transport, pressures;
     FullMatrix<double>              convection;
     std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
-    FEValues<dim>                   force_values;
-    BodyForce<dim>                  body_force;
+    const BodyForceLoads<dim>      &body_force;
 
     void compute_convection(const Cell &cell, const Vector<double> &velocity)
     {
@@ -237,19 +237,6 @@ namespace caudal
                                  rate, convection);
       if (cell->at_boundary())
         add_outflow_terms(space, cell, velocity, convection);
-    }
-
-    void add_body_force(const Cell &cell, Vector<double> &residual)
-    {
-      force_values.reinit(cell);
-      for (const unsigned int q : force_values.quadrature_point_indices())
-      {
-        const Tensor<1, dim> force =
-            body_force.value(force_values.quadrature_point(q)) * force_values.JxW(q);
-        for (unsigned int i = 0; i < residual.size(); ++i)
-          residual[i] += force[space.velocity_element.system_to_component_index(i).first] *
-                         force_values.shape_value(i, q);
-      }
     }
   };
 
@@ -263,13 +250,13 @@ namespace caudal
     residual           = 0;
 
     const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
-    CellAssembler                        assembler(space, step);
     FullMatrix<double>                   cell_matrix(n, n);
     Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
     // A body force may fail on the cells of one rank only.
     const std::string error = catch_error([&]() {
-      unsigned int index = 0;
+      CellAssembler assembler(space, step);
+      unsigned int  index = 0;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {

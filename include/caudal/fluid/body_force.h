@@ -3,30 +3,50 @@
 
 #include <caudal/fluid/fluid_parameters.h>
 
-#include <deal.II/base/function_parser.h>
-#include <deal.II/lac/vector.h>
-
-#include <memory>
+#include <deal.II/base/array_view.h>
+#include <deal.II/dofs/dof_handler.h>
 
 namespace caudal
 {
-  /** The force f(x, t) on the fluid that `Fluid/Body force` gives [N/m^3], at one time. */
+  /**
+   * The loads b_i = int f.N_i [N, in 2D N/m] of the force f(x, t) on the fluid that `Fluid/Body
+   * force` gives, N_i the velocity's shape functions of a cell. They are kept, since a step needs
+   * them several times: for the momentum equation, the power, and the control volume.
+   */
   template <int dim>
-  class BodyForce
+  class BodyForceLoads
   {
   public:
-    BodyForce(const FluidParameters<dim> &parameters, double time);
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-    /** Whether there is none anywhere. */
-    bool is_zero() const;
+    explicit BodyForceLoads(const FluidParameters<dim> &parameters);
 
-    /** Throws if the force is not finite at @p point. */
-    Tensor<1, dim> value(const Point<dim> &point);
+    /** Forgets the loads: the grid has changed. */
+    void clear();
+
+    /**
+     * Computes the loads of the locally owned cells of @p dofs at @p time, unless that has been
+     * done. Throws if the force is not finite, which can happen on one rank only.
+     */
+    void update(const DoFHandler<dim> &dofs, double time);
+
+    /** Whether there is no force anywhere, and are no loads. */
+    bool are_zero() const
+    {
+      return !parameters.has_body_force();
+    }
+
+    ArrayView<const double> get(const Cell &cell) const
+    {
+      return {&loads[cell->active_cell_index() * n_per_cell], n_per_cell};
+    }
 
   private:
-    const std::string                    expression;
-    std::unique_ptr<FunctionParser<dim>> function;
-    Vector<double>                       components;
+    const FluidParameters<dim> &parameters;
+    bool                        is_valid = false;
+    double                      time     = 0;
+    std::size_t                 n_per_cell;
+    std::vector<double>         loads; // of one active cell after the other
   };
 } // namespace caudal
 

@@ -2,6 +2,7 @@
 #define caudal_fluid_fluid_space_h
 
 #include <caudal/base/types.h>
+#include <caudal/fluid/body_force.h>
 #include <caudal/fluid/cell_matrices.h>
 #include <caudal/fluid/fluid_parameters.h>
 
@@ -62,6 +63,13 @@ namespace caudal
       return cell_matrices[level].get_cell_size();
     }
 
+    /** The body force's loads of this rank's cells; throws if it is not finite in one of them. */
+    const BodyForceLoads<dim> &get_body_force_loads(const double time) const
+    {
+      body_force_loads.update(velocity_dofs, time);
+      return body_force_loads;
+    }
+
     const FESystem<dim> velocity_element;
     const FE_DGP<dim>   pressure_element;
     DoFHandler<dim>     velocity_dofs;
@@ -76,6 +84,7 @@ namespace caudal
     const FluidParameters<dim>                &parameters;
     const Tensor<1, dim>                       domain_size;
     std::vector<CellMatrices<dim>>             cell_matrices;
+    mutable BodyForceLoads<dim>                body_force_loads;
 
     AffineConstraints<double> make_constraints(double time, bool homogeneous) const;
   };
