@@ -61,8 +61,7 @@ namespace caudal
       }
     };
 
-    /** Adds up fronts: the parts of the matrix that begin with their pivots, and their children's
-     * updates. */
+    /** Adds up fronts: the matrix' parts that begin with their pivots, and children's updates. */
     class FrontAssembly
     {
     public:

@@ -60,7 +60,11 @@ namespace caudal
       std::vector<double> work(groups.n_placed_groups); // entries of the rows
       for (const ElementMatrix &element : matrix.elements)
         for (int i = 0; i < element.n; ++i)
-          work[groups.of_unknown[element.unknowns[i]]] += element.n;
+        {
+          const int group = groups.of_unknown[element.unknowns[i]];
+          AssertIndexRange(group, groups.n_placed_groups);
+          work[group] += element.n;
+        }
       for (const int row : matrix.entries.rows)
         if (groups.of_unknown[row] < groups.n_placed_groups)
           work[groups.of_unknown[row]] += 1;

@@ -73,8 +73,9 @@ end() {
   grep -o "Resumed from" printed || cat printed
 }
 
+# The table of statistics would be, too, where steps are fast.
 echo "* no file may be longer than 16 kB any more: a checkpoint is"
-start
+start -D "Output/Interval of statistics=1000000"
 prlimit --pid $run --fsize=16384
 end
 echo "* nor the table of statistics"

@@ -34,12 +34,14 @@ subsection Output
 end
 EOF
 
-# warn WHAT OPTIONS: each line that is said, without the value, and the summary.
+# warn WHAT OPTIONS: each line that is said, without the value, and the summary. In which steps
+# the powers agree to the last bit is chance.
 warn() {
   echo "* $1"
   shift
   "$CAUDAL" disc.prm "$@" >printed
-  grep -i "^warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../; s/^/    /' || true
+  grep -i "^warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../
+    s/\(powers.*in\) [0-9]* steps/\1 ... steps/; s/^/    /' | LC_ALL=C sort || true
 }
 warn "with the default limits"
 warn "with tight limits" -D "Guards/Largest area change=1e-9" -D "Guards/Smallest J=0.9999" \
