@@ -118,7 +118,7 @@ def measure_series(report, quick, folder):
         rows.append((str(result.cells), str(result.unknowns), f"{cpu / steps:.2g}",
                      f"{result.iterations_per_step:.1f}",
                      f"{result.seconds['factorisation'] / result.factorisations:.2g}",
-                     f"{solve:.2g}", f"{limit:.2g}", f"{result.memory:.0f}",
+                     f"{solve:.2g}" if solve > 0 else "-", f"{limit:.2g}", f"{result.memory:.0f}",
                      f"{cpu / steps / result.cells * 1e6:.0f}"))
     report.add_table(("cells", "unknowns", "CPU s per step", "iterations per step",
                       "s per factorisation", "s per iteration", "its limit by memory bandwidth",
