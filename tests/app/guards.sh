@@ -34,19 +34,20 @@ subsection Output
 end
 EOF
 
-# warn WHAT OPTIONS: each line that is said, without the value, and the summary. In which steps
-# the powers agree to the last bit is chance.
+# warn WHAT OPTIONS: each line that is said, without the value, and the summary.
 warn() {
   echo "* $1"
   shift
   "$CAUDAL" disc.prm "$@" >printed
-  grep -i "^warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../
-    s/\(powers.*in\) [0-9]* steps/\1 ... steps/; s/^/    /' | LC_ALL=C sort || true
+  grep -i "^warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../; s/^/    /' || true
 }
 warn "with the default limits"
 warn "with tight limits" -D "Guards/Largest area change=1e-9" -D "Guards/Smallest J=0.9999" \
   -D "Guards/Largest J=1.0001" -D "Guards/Largest tether displacement=0.01" \
-  -D "Guards/Largest power identity=1e-30" -D "Guards/Largest energy residual=1e-6"
+  -D "Guards/Largest power identity=0" -D "Guards/Largest energy residual=1e-6"
+# In which steps the powers agree to the last bit is chance.
+warn "powers equal but for round-off" -D "Guards/Largest tether displacement=0" \
+  -D "Guards/Largest power identity=1e-30" | sed 's/in [1-9][0-9]* steps/in some steps/'
 warn "without limits" -D "Guards/Largest area change=0" -D "Guards/Smallest J=0" -D "Guards/Largest J=0" \
   -D "Guards/Largest tether displacement=0" -D "Guards/Largest power identity=0" \
   -D "Guards/Largest energy residual=0"

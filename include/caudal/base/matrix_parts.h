@@ -40,14 +40,6 @@ namespace caudal
     std::vector<ElementMatrix> elements;
     Triplets                   entries;
 
-    std::size_t n_entries() const
-    {
-      std::size_t n = entries.values.size();
-      for (const ElementMatrix &element : elements)
-        n += element.n_entries();
-      return n;
-    }
-
     Triplets to_triplets() const
     {
       Triplets all = entries;
