@@ -46,12 +46,14 @@ namespace caudal
           for (int j = 0; j < panel.n_columns; ++j)
             std::swap(panel.column(j)[c], panel.column(j)[exchanges[c]]);
         const double inverse = 1 / pivot_column[c];
+#pragma omp simd
         for (int i = c + 1; i < panel.n_rows; ++i)
           pivot_column[i] *= inverse;
         for (int j = c + 1; j < panel.n_columns; ++j)
         {
           double      *column = panel.column(j);
           const double factor = column[c];
+#pragma omp simd
           for (int i = c + 1; i < panel.n_rows; ++i)
             column[i] -= pivot_column[i] * factor;
         }
@@ -72,6 +74,7 @@ namespace caudal
         {
           const double *l      = lower.column(j);
           const double  factor = column[j];
+#pragma omp simd
           for (int i = j + 1; i < n; ++i)
             column[i] -= factor * l[i];
         }
@@ -95,10 +98,12 @@ namespace caudal
           {
             const double *other  = x.column(i);
             const double  factor = u[i];
+#pragma omp simd
             for (int row = 0; row < x.n_rows; ++row)
               column[row] -= factor * other[row];
           }
           const double inverse = 1 / u[j];
+#pragma omp simd
           for (int row = 0; row < x.n_rows; ++row)
             column[row] *= inverse;
         }

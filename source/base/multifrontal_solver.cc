@@ -3,6 +3,7 @@
 #include <caudal/base/front.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -93,7 +94,7 @@ namespace caudal
       }
 
       /** Adds what a child of the front of the last add_parts() has left for its rest. */
-      void add_update(const EliminationTree::Front &child, const std::vector<double> &child_update,
+      void add_update(const EliminationTree::Front &child, const double *child_update,
                       const FrontFactors &front, const Block &update)
       {
         const int  n    = child.n_rest;
@@ -101,17 +102,18 @@ namespace caudal
         rows.resize(n);
         std::transform(rest, rest + n, rows.begin(),
                        [&](const int unknown) { return places[unknown]; });
-        // They ascend in both fronts.
-        const int n_to_pivots =
-            std::lower_bound(rows.begin(), rows.end(), front.pivots.n_columns) - rows.begin();
+        find_runs(front.pivots.n_columns);
         for (int j = 0; j < n; ++j)
         {
-          const double *source = child_update.data() + static_cast<std::size_t>(j) * n;
-          const Column  target = get_column(rows[j], front, update);
-          for (int i = 0; i < n_to_pivots; ++i)
-            target.top[rows[i]] += source[i];
-          for (int i = n_to_pivots; i < n; ++i)
-            target.bottom[rows[i] - target.n_pivots] += source[i];
+          const Column target = get_column(rows[j], front, update);
+          for (const auto &[begin, end] : runs)
+          {
+            const double *source = child_update + static_cast<std::size_t>(j) * n + begin;
+            double       *sum    = &target[rows[begin]];
+#pragma omp simd
+            for (int i = 0; i < end - begin; ++i)
+              sum[i] += source[i];
+          }
         }
       }
 
@@ -141,6 +143,19 @@ namespace caudal
       /** Of the present front's unknowns in it. */
       std::vector<int> places;
       std::vector<int> rows; // of a child's rest
+      /** Begins and ends of parts of them which follow each other in the front, too. */
+      std::vector<std::pair<int, int>> runs;
+
+      /** Rows ascend; no run crosses from the front's pivots to its rest. */
+      void find_runs(const int n_pivots)
+      {
+        runs.clear();
+        for (int i = 0; i < static_cast<int>(rows.size()); ++i)
+          if (i > 0 && rows[i] == rows[i - 1] + 1 && rows[i] != n_pivots)
+            ++runs.back().second;
+          else
+            runs.emplace_back(i, i + 1);
+      }
 
       /** A column of a front, which is in two blocks. */
       struct Column
@@ -178,6 +193,17 @@ namespace caudal
         }
       }
     };
+
+    /** Room for @p size numbers, whatever they are; some more where there was too little. */
+    void resize_anew(AlignedVector<double> &numbers, const std::size_t size)
+    {
+      if (size > numbers.capacity())
+      {
+        numbers.clear(); // they need not be copied
+        numbers.reserve(size + size / 8);
+      }
+      numbers.resize_fast(size);
+    }
 
     void gather(const std::vector<double> &vector, const int *unknowns, const unsigned int n,
                 std::vector<double> &result)
@@ -223,8 +249,44 @@ namespace caudal
       factor_begins.push_back(factor_begins.back() + FrontFactors::count(front));
       exchange_begins.push_back(exchange_begins.back() + front.n_pivots);
     }
-    factors.resize(factor_begins.back());
+    resize_anew(factors, factor_begins.back());
     exchanges.resize(exchange_begins.back());
+  }
+
+  /**
+   * Two stacks, which alternate from one level of the tree to the next: a front's update is made
+   * on one of them while those of its children lie on top of the other.
+   */
+  void MultifrontalSolver::lay_out_updates()
+  {
+    const auto get_size = [](const EliminationTree::Front &front) {
+      return static_cast<std::size_t>(front.n_rest) * front.n_rest;
+    };
+    std::vector<int> stack_of(tree.fronts.size(), 0);
+    for (std::size_t f = tree.fronts.size(); f-- > 0;)
+      if (tree.fronts[f].parent >= 0)
+        stack_of[f] = 1 - stack_of[tree.fronts[f].parent];
+
+    std::array<std::size_t, 2> top{}, height{};
+    update_begins.resize(tree.fronts.size());
+    std::vector<std::size_t> of_children(tree.fronts.size(), 0); // their size
+    for (std::size_t f = 0; f < tree.fronts.size(); ++f)
+    {
+      const int         stack = stack_of[f], parent = tree.fronts[f].parent;
+      const std::size_t size = get_size(tree.fronts[f]);
+      top[1 - stack] -= of_children[f]; // on top, as the children's subtrees end with them
+      update_begins[f] = top[stack];
+      height[stack]    = std::max(height[stack], top[stack] + size);
+      if (parent >= 0)
+      {
+        top[stack] += size;
+        of_children[parent] += size;
+      }
+    }
+    for (std::size_t f = 0; f < tree.fronts.size(); ++f)
+      if (stack_of[f] == 1)
+        update_begins[f] += height[0];
+    resize_anew(updates, height[0] + height[1]);
   }
 
   bool MultifrontalSolver::factorize(const std::vector<int> &group_begins,
@@ -235,36 +297,36 @@ namespace caudal
     tree.build(group_begins, matrix, n_kept);
     compute_scales(matrix, n);
     lay_out_factors();
+    lay_out_updates();
     schur_complement.assign(static_cast<std::size_t>(n_kept) * n_kept, 0.);
     return eliminate(matrix);
   }
 
   bool MultifrontalSolver::eliminate(const MatrixParts &matrix)
   {
-    FrontAssembly                    assembly(tree, matrix, scales);
-    std::vector<std::vector<double>> updates(tree.fronts.size());
-    std::vector<std::vector<int>>    children(tree.fronts.size());
-    std::vector<double>              buffer;
-    unsigned int                     n_poor_pivots = 0;
-    const std::size_t                n_kept        = scales.size() - n_eliminated;
+    FrontAssembly                 assembly(tree, matrix, scales);
+    std::vector<std::vector<int>> children(tree.fronts.size());
+    std::vector<double>           buffer;
+    unsigned int                  n_poor_pivots = 0;
+    const std::size_t             n_kept        = scales.size() - n_eliminated;
     const auto add_to_schur_complement = [&](const int row, const int column, const double value) {
       schur_complement[(row - n_eliminated) * n_kept + column - n_eliminated] += value;
     };
     for (std::size_t f = 0; f < tree.fronts.size(); ++f)
     {
       const auto        &front = tree.fronts[f];
-      const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
+      const FrontFactors factor(front, factors.data() + factor_begins[f],
+                                &exchanges[exchange_begins[f]]);
       const int          n_rest = front.n_rest;
-      std::fill_n(&factors[factor_begins[f]], FrontFactors::count(front), 0.);
-      updates[f].resize(static_cast<std::size_t>(n_rest) * n_rest);
-      const Block update{updates[f].data(), n_rest, n_rest, n_rest};
+      std::fill_n(factors.data() + factor_begins[f], FrontFactors::count(front), 0.);
+      const Block update{updates.data() + update_begins[f], n_rest, n_rest, n_rest};
+      for (int j = 0; j < n_rest; ++j)
+        std::fill_n(update.column(j), n_rest, 0.);
 
       assembly.add_parts(f, factor, update);
       for (const int child : children[f])
-      {
-        assembly.add_update(tree.fronts[child], updates[child], factor, update);
-        std::vector<double>().swap(updates[child]);
-      }
+        assembly.add_update(tree.fronts[child], updates.data() + update_begins[child], factor,
+                            update);
       if (!eliminate_pivots(factor, update, buffer))
         return false;
       n_poor_pivots += count_poor_pivots(factor);
@@ -302,7 +364,8 @@ namespace caudal
     {
       const auto        &front    = tree.fronts[f];
       const int         *unknowns = tree.unknowns.data() + front.begin;
-      const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
+      const FrontFactors factor(front, factors.data() + factor_begins[f],
+                                &exchanges[exchange_begins[f]]);
       gather(vector, unknowns, front.n_pivots, pivots);
       for (unsigned int i = 0; i < front.n_pivots; ++i)
         std::swap(pivots[i], pivots[factor.exchanges[i]]);
@@ -326,7 +389,8 @@ namespace caudal
     {
       const auto        &front    = tree.fronts[f];
       const int         *unknowns = tree.unknowns.data() + front.begin;
-      const FrontFactors factor(front, &factors[factor_begins[f]], &exchanges[exchange_begins[f]]);
+      const FrontFactors factor(front, factors.data() + factor_begins[f],
+                                &exchanges[exchange_begins[f]]);
       gather(vector, unknowns, front.n_pivots, pivots);
       gather(vector, unknowns + front.n_pivots, front.n_rest, rest);
       multiply(-1, factor.right, rest.data(), pivots.data());

@@ -1,12 +1,13 @@
+#include <caudal/coupling/deformed_cell.h>
 #include <caudal/coupling/interaction_operator.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace caudal
 {
@@ -214,37 +215,25 @@ namespace caudal
 
   namespace
   {
-    /** Quadrature with the given number of Gauss points in each direction. */
+    /** The place of the point with the number @p index, counted over all cells. */
     template <int dim>
-    Quadrature<dim> make_quadrature(const std::array<unsigned int, dim> &n)
+    Point<dim> find_point(DeformedCell<dim> &body_cell, const DoFHandler<dim> &dofs,
+                          const unsigned int index)
     {
-      if constexpr (dim == 2)
-        return QAnisotropic<2>(QGauss<1>(n[0]), QGauss<1>(n[1]));
-      else
-        return QAnisotropic<3>(QGauss<1>(n[0]), QGauss<1>(n[1]), QGauss<1>(n[2]));
-    }
-
-    /** Gauss points in each direction such that the deformed cell is sampled densely enough. */
-    template <int dim>
-    std::array<unsigned int, dim> choose_points(const FiniteElement<dim> &element,
-                                                const Vector<double>     &positions,
-                                                const double              largest_spacing)
-    {
-      constexpr unsigned int  n_vertices = GeometryInfo<dim>::vertices_per_cell;
-      std::vector<Point<dim>> vertices(n_vertices);
-      for (unsigned int v = 0; v < n_vertices; ++v)
-        for (unsigned int d = 0; d < dim; ++d)
-          vertices[v][d] = positions[element.component_to_system_index(d, v)];
-      std::array<unsigned int, dim> n;
-      for (unsigned int d = 0; d < dim; ++d)
+      Point<dim>   place;
+      unsigned int begin = 0;
+      for (const auto &cell : dofs.active_cell_iterators())
       {
-        double longest = 0;
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          if ((v >> d) % 2 == 0)
-            longest = std::max(longest, vertices[v].distance(vertices[v + (1 << d)]));
-        n[d] = std::clamp<double>(std::ceil(longest / largest_spacing), element.degree + 1, 32);
+        body_cell.reinit(cell);
+        const unsigned int end = begin + body_cell.n_points();
+        if (begin <= index && index < end)
+          body_cell.for_each_point([&](const Point<dim> &point, const double, const auto &) {
+            if (begin++ == index)
+              place = point;
+          });
+        begin = end;
       }
-      return n;
+      return place;
     }
 
     template <int dim>
@@ -275,54 +264,39 @@ namespace caudal
       const AffineConstraints<double> &constraints, const FieldVector &velocity_layout,
       const DoFHandler<dim> &body_dofs, const Vector<double> &positions, const std::string &name)
   {
-    const CellLattice<dim>   &lattice      = finest_cells.get_lattice();
-    const FiniteElement<dim> &body_element = body_dofs.get_fe();
-    const unsigned int        n_body       = body_element.n_dofs_per_cell();
-    const double              spacing =
+    const CellLattice<dim> &lattice = finest_cells.get_lattice();
+    const double            spacing =
         0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
     Assembler assembler(kernel, along, across, finest_cells, velocity_dofs, constraints, body_dofs);
-    std::vector<double>                  seen, shape(n_body / dim);
-    std::vector<Point<dim>>              points;
-    std::vector<types::global_dof_index> body_indices(n_body);
-    Vector<double>                       cell_positions(n_body);
-    std::map<std::array<unsigned int, dim>, std::unique_ptr<FEValues<dim>>> all_values;
-
+    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / parameters.quadrature_density);
+    const double        margin = get_support() + 0.1; // round-off decides about cells that touch
+    std::vector<double> seen;                         // of the kernel around each point
     for (const auto &cell : body_dofs.active_cell_iterators())
     {
-      cell->get_dof_indices(body_indices);
-      cell->get_dof_values(positions, cell_positions);
-      const auto n_points =
-          choose_points<dim>(body_element, cell_positions, spacing / parameters.quadrature_density);
-      auto &values = all_values[n_points];
-      if (!values)
-        values = std::make_unique<FEValues<dim>>(body_element, make_quadrature<dim>(n_points),
-                                                 update_values | update_JxW_values);
-      values->reinit(cell);
-      for (const unsigned int r : values->quadrature_point_indices())
+      body_cell.reinit(cell);
+      if (finest_cells.meet(body_cell.get_box(), margin))
       {
-        Point<dim> point;
-        for (unsigned int a = 0; a < shape.size(); ++a)
-        {
-          shape[a] = values->shape_value(body_element.component_to_system_index(0, a), r);
-          for (unsigned int d = 0; d < dim; ++d)
-            point[d] += shape[a] * cell_positions[body_element.component_to_system_index(d, a)];
-        }
-        points.push_back(point);
-        seen.push_back(assembler.add_point(point, values->JxW(r), shape));
+        body_cell.for_each_point([&](const auto &point, const double weight, const auto &shape) {
+          seen.push_back(assembler.add_point(point, weight, shape));
+        });
+        assembler.finish_cell(body_cell.get_indices());
       }
-      assembler.finish_cell(body_indices);
+      else // it is of no concern to this rank
+        seen.resize(seen.size() + body_cell.n_points(), 0.);
     }
 
     Utilities::MPI::sum(seen, communicator, seen);
-    for (unsigned int r = 0; r < points.size(); ++r)
-      if (!(std::abs(seen[r] - 1) < 1e-8))
-        throw_not_covered(lattice, points[r], name);
+    const auto first_not_covered = std::find_if(
+        seen.begin(), seen.end(), [](const double part) { return !(std::abs(part - 1) < 1e-8); });
+    if (first_not_covered != seen.end())
+      throw_not_covered(lattice, find_point(body_cell, body_dofs, first_not_covered - seen.begin()),
+                        name);
     partitioner   = velocity_layout.get_partitioner();
     inhomogeneity = assembler.get_inhomogeneity();
     Utilities::MPI::sum(inhomogeneity, communicator, inhomogeneity);
     compress(assembler, body_dofs.n_dofs(), name);
-    return points.size();
+    return seen.size();
   }
 
   template <int dim>

@@ -68,41 +68,19 @@ namespace caudal
   template <int dim>
   void CellSet<dim>::add(const std::vector<BoundingBox<dim>> &boxes, const double margin)
   {
-    const unsigned int   finest = lattice.get_finest_level();
-    const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
+    const unsigned int finest = lattice.get_finest_level();
     for (const BoundingBox<dim> &box : boxes)
-    {
-      const auto first = lattice.get_coordinates(box.get_boundary_points().first - slack, finest);
-      const auto last  = lattice.get_coordinates(box.get_boundary_points().second + slack, finest);
-      auto       cell  = first;
-      for (bool done = false; !done;)
-      {
-        if (lattice.is_inside(cell, finest))
-        {
-          auto ancestor = cell;
-          for (int level = finest; level >= 0; --level)
-          {
-            // Once an ancestor is known, so are all above it.
-            if (!keys[level].insert(CellLattice<dim>::get_key(ancestor)).second)
-              break;
-            for (int &coordinate : ancestor)
-              coordinate >>= 1;
-          }
-        }
-        else
+      any_cell_in(lattice, box, margin, [&](auto cell) {
+        if (!lattice.is_inside(cell, finest))
           inside_domain = false;
-
-        done = true;
-        for (unsigned int d = 0; d < dim && done; ++d)
-          if (cell[d] < last[d])
-          {
-            ++cell[d];
-            done = false;
-          }
-          else
-            cell[d] = first[d];
-      }
-    }
+        else
+          // Once an ancestor is known, so are all above it.
+          for (int level = finest;
+               level >= 0 && keys[level].insert(CellLattice<dim>::get_key(cell)).second; --level)
+            for (int &coordinate : cell)
+              coordinate >>= 1;
+        return false;
+      });
   }
 
   template <int dim>
@@ -146,6 +124,13 @@ namespace caudal
                            ? cells.find(CellLattice<dim>::get_key(coordinates))
                            : cells.end();
     return entry == cells.end() ? nullptr : &entry->second;
+  }
+
+  template <int dim>
+  bool FinestCells<dim>::meet(const BoundingBox<dim> &box, const double margin) const
+  {
+    return any_cell_in(lattice, box, margin,
+                       [&](const auto &cell) { return find(cell) != nullptr; });
   }
 
   template class CellLattice<2>;

@@ -3,6 +3,8 @@
 
 #include <caudal/base/elimination_tree.h>
 
+#include <deal.II/base/aligned_vector.h>
+
 namespace caudal
 {
   /**
@@ -61,13 +63,18 @@ namespace caudal
     std::vector<double> scales;
 
     /** Begins of the fronts' factors and row exchanges. */
-    std::vector<std::size_t> factor_begins, exchange_begins;
-    std::vector<double>      factors;
-    std::vector<int>         exchanges;
-    std::vector<double>      schur_complement;
+    std::vector<std::size_t>      factor_begins, exchange_begins;
+    dealii::AlignedVector<double> factors;
+    std::vector<int>              exchanges;
+    std::vector<double>           schur_complement;
+
+    /** Work space: what fronts leave for their parents, and where each puts it. */
+    dealii::AlignedVector<double> updates;
+    std::vector<std::size_t>      update_begins;
 
     void compute_scales(const MatrixParts &matrix, unsigned int n);
     void lay_out_factors();
+    void lay_out_updates();
     bool eliminate(const MatrixParts &matrix);
   };
 } // namespace caudal

@@ -46,6 +46,32 @@ namespace caudal
     unsigned int                  finest_level;
   };
 
+  /**
+   * Calls operation(coordinates) for every cell of the finest level, inside the domain or not, that
+   * meets the @p box, enlarged by @p margin cells, until one call returns true. Returns whether one
+   * did.
+   */
+  template <int dim, class Operation>
+  bool any_cell_in(const CellLattice<dim> &lattice, const BoundingBox<dim> &box,
+                   const double margin, const Operation &operation)
+  {
+    const unsigned int   finest = lattice.get_finest_level();
+    const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
+    const auto first = lattice.get_coordinates(box.get_boundary_points().first - slack, finest);
+    const auto last  = lattice.get_coordinates(box.get_boundary_points().second + slack, finest);
+    for (auto cell = first;;)
+    {
+      if (operation(cell))
+        return true;
+      unsigned int d = 0;
+      for (; d < dim && cell[d] == last[d]; ++d)
+        cell[d] = first[d];
+      if (d == dim)
+        return false;
+      ++cell[d];
+    }
+  }
+
   /** A set of cells of the finest level together with their ancestors on all levels. */
   template <int dim>
   class CellSet
@@ -92,6 +118,9 @@ namespace caudal
 
     /** nullptr if the cell is not there, not on the finest level or another rank's. */
     const Cell *find(const typename CellLattice<dim>::Coordinates &coordinates) const;
+
+    /** Whether one of them meets the @p box, enlarged by @p margin cells. */
+    bool meet(const BoundingBox<dim> &box, double margin) const;
 
     const CellLattice<dim> &get_lattice() const
     {
