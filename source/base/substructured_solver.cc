@@ -14,10 +14,11 @@ namespace caudal
   namespace
   {
     /**
-     * What an unknown costs beside the operations of its elimination, in units of these: 1.5e-6 s
-     * over 5.2e-11 s, by factorisations of 26,000 and 128,000 unknowns (OpenBLAS, one core).
+     * What an entry of the factors and an unknown cost beside the operations of their elimination,
+     * in units of these: 6.8e-9 s, 2.6e-7 s and 1.85e-11 s, by factorisations of 7,000 to 190,000
+     * unknowns (OpenBLAS, one core).
      */
-    constexpr double operations_per_unknown = 2.8e4;
+    constexpr double operations_per_entry = 370, operations_per_unknown = 1.4e4;
 
     /** Unknowns in groups: first those of the placed ones, then those of the others. */
     struct Groups
@@ -51,7 +52,7 @@ namespace caudal
     /**
      * The strips of the placed groups, which get the ranks' @p shares of the estimated cost: it
      * grows with the cube of the number of entries in a row. Groups at one position share a
-     * strip.
+     * strip. How many entries the factors will have is not known: about 120 for an unknown.
      */
     void cut_into_strips(const Groups &groups, const std::vector<double> &positions,
                          const std::vector<int> &sorted_unknowns, const std::vector<double> &shares,
@@ -73,8 +74,8 @@ namespace caudal
       {
         const double n_unknowns = groups.begins[group + 1] - groups.begins[group];
         const double row_length = work[group] / n_unknowns;
-        work[group] =
-            n_unknowns * (operations_per_unknown + 0.5 * row_length * row_length * row_length);
+        work[group] = n_unknowns * (operations_per_unknown + 120 * operations_per_entry +
+                                    0.5 * row_length * row_length * row_length);
       }
       const double total = std::accumulate(work.begin(), work.end(), 0.);
       // Positions that differ by round-off are one.
@@ -351,8 +352,9 @@ namespace caudal
     if (!in_strips || n_ranks == 1)
       return;
     // A part of the way, as each cut has other factors.
-    const std::vector<double> all = Utilities::MPI::all_gather(
-        communicator, operations + operations_per_unknown * unknowns.size());
+    const std::vector<double> all =
+        Utilities::MPI::all_gather(communicator, operations + operations_per_entry * entries +
+                                                     operations_per_unknown * unknowns.size());
     const double mean = std::accumulate(all.begin(), all.end(), 0.) / n_ranks;
     double       sum  = 0;
     for (unsigned int r = 0; r < n_ranks; ++r)

@@ -44,7 +44,8 @@ namespace caudal
   public:
     Assembler(const KernelPair &kernel, const LineTable &along, const LineTable &across,
               const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
-              const AffineConstraints<double> &constraints, const DoFHandler<dim> &body_dofs)
+              const AffineConstraints<double> &constraints, const DoFHandler<dim> &body_dofs,
+              std::vector<LooseEntry> &entries)
         : kernel(kernel)
         , along(along)
         , across(across)
@@ -62,7 +63,10 @@ namespace caudal
         , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
         , indices(element.n_dofs_per_cell())
         , inhomogeneity(body_dofs.n_dofs())
-    {}
+        , entries(entries)
+    {
+      entries.clear();
+    }
 
     /**
      * Adds a quadrature point; @p shape holds the values of the body's scalar
@@ -124,22 +128,19 @@ namespace caudal
           typename DoFHandler<dim>::active_cell_iterator(**block.cell, &velocity_dofs)
               ->get_dof_indices(indices);
           for (unsigned int component = 0; component < dim; ++component)
-            for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int s = 0; s < n_s; ++s)
             {
-              const unsigned int row =
-                  body_indices[body_element.component_to_system_index(component, a)];
-              const unsigned int first = ((kernel.isotropic ? 0 : component) * n_nodes + a) * n_s;
-              for (unsigned int s = 0; s < n_s; ++s)
-                add_entry(row, indices[element.component_to_system_index(component, s)],
-                          block.values[first + s]);
+              const Column  column(constraints,
+                                   indices[element.component_to_system_index(component, s)]);
+              const double *value =
+                  block.values.data() + (kernel.isotropic ? 0 : component) * n_nodes * n_s + s;
+              for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
+                add_entry(body_indices[body_element.component_to_system_index(component, a)],
+                          column, *value);
             }
         }
       blocks.clear();
     }
-
-    std::vector<unsigned int>            rows;
-    std::vector<types::global_dof_index> columns;
-    std::vector<double>                  values;
 
     const Vector<double> &get_inhomogeneity() const
     {
@@ -166,6 +167,7 @@ namespace caudal
     const Point<dim>                     origin;
     std::vector<types::global_dof_index> indices;
     Vector<double>                       inhomogeneity;
+    std::vector<LooseEntry>             &entries;
 
     std::map<typename CellLattice<dim>::Coordinates, Block> blocks;
 
@@ -179,20 +181,31 @@ namespace caudal
       return blocks.emplace(coordinates, Block{cell, std::vector<double>(size)}).first->second;
     }
 
-    void add_entry(const unsigned int row, const types::global_dof_index column, const double value)
+    /** A velocity unknown and what it depends on if it is constrained. */
+    struct Column
     {
-      const auto add = [&](const types::global_dof_index free_column, const double free_value) {
-        rows.push_back(row);
-        columns.push_back(free_column);
-        values.push_back(free_value);
-      };
-      if (!constraints.is_constrained(column))
-        add(column, value);
+      Column(const AffineConstraints<double> &constraints, const types::global_dof_index index)
+          : index(index)
+          , is_constrained(constraints.is_constrained(index))
+          , masters(is_constrained ? constraints.get_constraint_entries(index) : nullptr)
+          , inhomogeneity(is_constrained ? constraints.get_inhomogeneity(index) : 0.)
+      {}
+
+      const types::global_dof_index                                        index;
+      const bool                                                           is_constrained;
+      const std::vector<std::pair<types::global_dof_index, double>> *const masters;
+      const double                                                         inhomogeneity;
+    };
+
+    void add_entry(const unsigned int row, const Column &column, const double value)
+    {
+      if (!column.is_constrained)
+        entries.push_back({row, column.index, value});
       else
       {
-        for (const auto &[master, factor] : *constraints.get_constraint_entries(column))
-          add(master, factor * value);
-        inhomogeneity[row] += constraints.get_inhomogeneity(column) * value;
+        for (const auto &[master, factor] : *column.masters)
+          entries.push_back({row, master, factor * value});
+        inhomogeneity[row] += column.inhomogeneity * value;
       }
     }
   };
@@ -268,7 +281,8 @@ namespace caudal
     const double            spacing =
         0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
-    Assembler assembler(kernel, along, across, finest_cells, velocity_dofs, constraints, body_dofs);
+    Assembler assembler(kernel, along, across, finest_cells, velocity_dofs, constraints, body_dofs,
+                        loose_entries);
     DeformedCell<dim>   body_cell(body_dofs, positions, spacing / parameters.quadrature_density);
     const double        margin = get_support() + 0.1; // round-off decides about cells that touch
     std::vector<double> seen;                         // of the kernel around each point
@@ -295,28 +309,27 @@ namespace caudal
     partitioner   = velocity_layout.get_partitioner();
     inhomogeneity = assembler.get_inhomogeneity();
     Utilities::MPI::sum(inhomogeneity, communicator, inhomogeneity);
-    compress(assembler, body_dofs.n_dofs(), name);
+    compress(body_dofs.n_dofs(), name);
     return seen.size();
   }
 
   template <int dim>
-  void InteractionOperator<dim>::compress(const Assembler &assembler, const unsigned int n_rows,
-                                          const std::string &name)
+  void InteractionOperator<dim>::compress(const unsigned int n_rows, const std::string &name)
   {
     // Sort by rows (counting sort), then add up equal columns of each row.
-    const std::size_t        n_loose = assembler.rows.size();
-    std::vector<std::size_t> start(n_rows + 1, 0), order(n_loose);
-    for (const unsigned int row : assembler.rows)
-      ++start[row + 1];
+    std::vector<std::size_t> start(n_rows + 1, 0), order(loose_entries.size());
+    for (const LooseEntry &entry : loose_entries)
+      ++start[entry.row + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    for (std::size_t k = 0; k < n_loose; ++k)
-      order[next[assembler.rows[k]]++] = k;
+    for (std::size_t k = 0; k < loose_entries.size(); ++k)
+      order[next[loose_entries[k].row]++] = k;
 
     // A chain of hanging nodes can lead to unknowns that this rank does not know.
     const bool all_known =
-        std::all_of(assembler.columns.begin(), assembler.columns.end(), [&](const auto column) {
-          return partitioner->in_local_range(column) || partitioner->is_ghost_entry(column);
+        std::all_of(loose_entries.begin(), loose_entries.end(), [&](const LooseEntry &entry) {
+          return partitioner->in_local_range(entry.column) ||
+                 partitioner->is_ghost_entry(entry.column);
         });
     AssertThrow(Utilities::MPI::min(static_cast<int>(all_known), communicator) == 1,
                 ExcMessage("Refinement/Body margin: the kernel of body " + name +
@@ -333,7 +346,7 @@ namespace caudal
     {
       for (std::size_t k = start[row]; k < start[row + 1]; ++k)
       {
-        const types::global_dof_index column = assembler.columns[order[k]];
+        const types::global_dof_index column = loose_entries[order[k]].column;
         const unsigned int            local  = partitioner->global_to_local(column);
         if (place[local] <= row_start.back())
         {
@@ -342,7 +355,7 @@ namespace caudal
           entries.push_back(0);
           place[local] = entries.size();
         }
-        entries[place[local] - 1] += assembler.values[order[k]];
+        entries[place[local] - 1] += loose_entries[order[k]].value;
       }
       row_start.push_back(entries.size());
     }

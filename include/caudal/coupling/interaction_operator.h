@@ -93,8 +93,17 @@ namespace caudal
     // What the inhomogeneous constraints contribute to G u.
     Vector<double> inhomogeneity;
 
+    /** Entries of equal places add up. */
+    struct LooseEntry
+    {
+      unsigned int            row;
+      types::global_dof_index column;
+      double                  value;
+    };
+    std::vector<LooseEntry> loose_entries; // work space of reinit()
+
     class Assembler;
-    void compress(const Assembler &assembler, unsigned int n_rows, const std::string &name);
+    void compress(unsigned int n_rows, const std::string &name);
   };
 } // namespace caudal
 
