@@ -52,6 +52,39 @@ namespace caudal
      */
     constexpr double relative_speed = 0.04;
 
+    /** Where a body has a field in the system: groups of components, a stride apart. */
+    struct Places
+    {
+      int          begin;
+      unsigned int size, n_components, stride;
+
+      int operator[](const unsigned int i) const
+      {
+        return begin + i / n_components * stride + i % n_components;
+      }
+    };
+
+    /**
+     * In the velocity's rows the stiffness, which is singular, offers no sound pivots for rigid
+     * motions and slow bending. At each so many nodes velocity and force density are eliminated
+     * together, with a pivot in the mass; at all nodes that takes up to twice the time.
+     */
+    constexpr unsigned int nodes_per_anchor = 64;
+
+    /** Node by node the body's velocity and its force density, last the velocity of its frame. */
+    template <int dim>
+    struct BodyPlaces
+    {
+      BodyPlaces(const BodyEquations &equations, const int begin)
+          : velocity{begin, equations.mass->m(), dim, 2 * dim}
+          , force_density{begin + dim, equations.mass->m(), dim, 2 * dim}
+          , frame{static_cast<int>(begin + 2 * equations.mass->m()),
+                  static_cast<unsigned int>(equations.rigid_moments.size()), 1, 1}
+      {}
+
+      const Places velocity, force_density, frame;
+    };
+
     /** The bodies' unknowns, which rank 0 holds, to and from all ranks. */
     class BodyVector
     {
@@ -72,14 +105,18 @@ namespace caudal
         std::copy(values.begin(), values.begin() + target.locally_owned_size(), target.begin());
       }
 
-      Vector<double> extract(const unsigned int begin, const unsigned int size) const
+      Vector<double> extract(const Places &places) const
       {
-        return Vector<double>(values.begin() + begin, values.begin() + begin + size);
+        Vector<double> part(places.size);
+        for (unsigned int i = 0; i < places.size; ++i)
+          part[i] = values[places[i]];
+        return part;
       }
 
-      void insert(const Vector<double> &part, const unsigned int begin)
+      void insert(const Vector<double> &part, const Places &places)
       {
-        std::copy(part.begin(), part.end(), values.begin() + begin);
+        for (unsigned int i = 0; i < places.size; ++i)
+          values[places[i]] = part[i];
       }
 
     private:
@@ -126,10 +163,11 @@ namespace caudal
         unsigned int begin = 0;
         for (const auto &[interaction, equations] : bodies)
         {
-          const unsigned int   n = equations->mass->m(), n_q = equations->rigid_moments.size();
-          const Vector<double> velocity      = in.extract(begin, n);
-          const Vector<double> force_density = in.extract(begin + n, n);
-          const Vector<double> frame         = in.extract(begin + 2 * n, n_q);
+          const unsigned int    n = equations->mass->m(), n_q = equations->rigid_moments.size();
+          const BodyPlaces<dim> places(*equations, begin);
+          const Vector<double>  velocity      = in.extract(places.velocity);
+          const Vector<double>  force_density = in.extract(places.force_density);
+          const Vector<double>  frame         = in.extract(places.frame);
           interaction->spread(force_density, forces);
 
           Vector<double> kinematic(n), interpolated(n), balance(n), frame_balance(n_q);
@@ -147,9 +185,9 @@ namespace caudal
               frame_balance[k] -= equations->rigid_inertia(k, l) * frame[l];
             frame_balance[k] *= scale;
           }
-          out.insert(balance, begin);
-          out.insert(kinematic, begin + n);
-          out.insert(frame_balance, begin + 2 * n);
+          out.insert(balance, places.velocity);
+          out.insert(kinematic, places.force_density);
+          out.insert(frame_balance, places.frame);
           begin += equations->n_unknowns();
         }
         result.block(0) -= forces;
@@ -311,42 +349,55 @@ namespace caudal
     MatrixParts        matrix;
     Triplets          &entries = matrix.entries;
     momentum.get_matrix().append_to(matrix);
-    int        begin   = space.velocity_dofs.n_dofs();
+    int              begin = space.velocity_dofs.n_dofs();
+    std::vector<int> group_begins; // of nodes
+    for (int i = 0; i < begin; i += dim)
+      group_begins.push_back(i);
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const int n = equations->mass->m(), n_q = equations->rigid_moments.size();
-      const int velocities = begin, forces = begin + n, frame = begin + 2 * n;
-      const int balance = velocities, kinematic = forces; // rows
+      const unsigned int    n = equations->mass->m(), n_q = equations->rigid_moments.size();
+      const BodyPlaces<dim> places(*equations, begin);
+      const auto &[velocity, force_density, frame] = places;
+      const Places &balance = velocity, &kinematic = force_density; // rows
       interaction->for_each_entry(
           [&](const unsigned int row, const types::global_dof_index column, const double value) {
-            entries.add(kinematic + row, column, -scale * value);
-            entries.add(column, forces + row, -value);
+            entries.add(kinematic[row], column, -scale * value);
+            entries.add(column, force_density[row], -value);
           });
       if (is_root)
       {
         for (const auto &entry : *equations->mass)
         {
-          entries.add(kinematic + entry.row(), velocities + entry.column(), scale * entry.value());
-          entries.add(balance + entry.row(), forces + entry.column(), entry.value());
+          entries.add(kinematic[entry.row()], velocity[entry.column()], scale * entry.value());
+          entries.add(balance[entry.row()], force_density[entry.column()], entry.value());
         }
         for (const auto &entry : *equations->response)
-          entries.add(balance + entry.row(), velocities + entry.column(), entry.value());
-        for (int k = 0; k < n_q; ++k)
+          entries.add(balance[entry.row()], velocity[entry.column()], entry.value());
+        for (unsigned int k = 0; k < n_q; ++k)
         {
-          for (int i = 0; i < n; ++i)
+          for (unsigned int i = 0; i < n; ++i)
           {
-            entries.add(balance + i, frame + k,
+            entries.add(balance[i], frame[k],
                         -equations->gait_damping * equations->rigid_moments[k][i]);
-            entries.add(frame + k, velocities + i, scale * equations->rigid_moments[k][i]);
+            entries.add(frame[k], velocity[i], scale * equations->rigid_moments[k][i]);
           }
-          for (int l = 0; l < n_q; ++l)
-            entries.add(frame + k, frame + l, -scale * equations->rigid_inertia(k, l));
+          for (unsigned int l = 0; l < n_q; ++l)
+            entries.add(frame[k], frame[l], -scale * equations->rigid_inertia(k, l));
         }
       }
+      for (unsigned int i = 0; i < n; i += dim)
+      {
+        group_begins.push_back(velocity[i]);
+        if (i / dim % nodes_per_anchor != 0)
+          group_begins.push_back(force_density[i]);
+      }
+      if (n_q > 0)
+        group_begins.push_back(begin + 2 * n);
       begin += equations->n_unknowns();
     }
-    direct_solver.factorize(begin, matrix, dim);
+    group_begins.push_back(begin);
+    direct_solver.factorize(group_begins, matrix);
     ++n_factorisations;
   }
 
@@ -434,12 +485,12 @@ namespace caudal
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const unsigned int n = equations->mass->m();
+      const BodyPlaces<dim> places(*equations, begin);
       equations->velocity *= scale;
       equations->frame_velocity *= scale;
-      values.insert(equations->force_density, begin);
-      values.insert(equations->velocity, begin + n);
-      values.insert(equations->frame_velocity, begin + 2 * n);
+      values.insert(equations->force_density, places.velocity);
+      values.insert(equations->velocity, places.force_density);
+      values.insert(equations->frame_velocity, places.frame);
       begin += equations->n_unknowns();
     }
     IndexSet owned(size);
@@ -459,10 +510,10 @@ namespace caudal
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const unsigned int n      = equations->mass->m();
-      equations->velocity       = values.extract(begin, n);
-      equations->force_density  = values.extract(begin + n, n);
-      equations->frame_velocity = values.extract(begin + 2 * n, equations->rigid_moments.size());
+      const BodyPlaces<dim> places(*equations, begin);
+      equations->velocity       = values.extract(places.velocity);
+      equations->force_density  = values.extract(places.force_density);
+      equations->frame_velocity = values.extract(places.frame);
       begin += equations->n_unknowns();
     }
   }

@@ -23,20 +23,15 @@ namespace caudal
     /** Unknowns in groups: first those of the placed ones, then those of the others. */
     struct Groups
     {
-      Groups(const int n_placed, const int n, const int size)
-          : of_unknown(n)
+      Groups(const std::vector<int> &begins, const int n_placed)
+          : n_placed_groups(std::lower_bound(begins.begin(), begins.end(), n_placed) -
+                            begins.begin())
+          , begins(begins)
+          , of_unknown(begins.back())
       {
-        for (int unknown = 0; unknown < n; ++unknown)
-        {
-          if ((unknown < n_placed ? unknown : unknown - n_placed) % size == 0)
-            begins.push_back(unknown);
-          if (unknown == n_placed)
-            n_placed_groups = begins.size() - 1;
-          of_unknown[unknown] = begins.size() - 1;
-        }
-        if (n == n_placed)
-          n_placed_groups = begins.size();
-        begins.push_back(n);
+        for (int group = 0; group < count(); ++group)
+          std::fill(of_unknown.begin() + begins[group], of_unknown.begin() + begins[group + 1],
+                    group);
       }
 
       int count() const
@@ -44,9 +39,9 @@ namespace caudal
         return begins.size() - 1;
       }
 
-      int              n_placed_groups = 0;
-      std::vector<int> begins;
-      std::vector<int> of_unknown;
+      const int               n_placed_groups;
+      const std::vector<int> &begins;
+      std::vector<int>        of_unknown;
     };
 
     /**
@@ -213,23 +208,24 @@ namespace caudal
                      [&](const int a, const int b) { return positions[a] < positions[b]; });
   }
 
-  void SubstructuredSolver::factorize(const int n, const MatrixParts &parts,
-                                      const unsigned int group_size)
+  void SubstructuredSolver::factorize(const std::vector<int> &group_begins,
+                                      const MatrixParts      &parts)
   {
     factorized = false;
-    if (!try_to_factorize(n, parts, group_size))
+    if (!try_to_factorize(group_begins, parts))
     {
       in_strips = false;
-      try_to_factorize(n, parts, group_size);
+      try_to_factorize(group_begins, parts);
     }
     draw_conclusions();
     factorized = true;
   }
 
-  bool SubstructuredSolver::try_to_factorize(const int n, const MatrixParts &parts,
-                                             const unsigned int group_size)
+  bool SubstructuredSolver::try_to_factorize(const std::vector<int> &all_group_begins,
+                                             const MatrixParts      &parts)
   {
-    const Groups            groups(positions.size(), n, group_size);
+    const Groups            groups(all_group_begins, positions.size());
+    const int               n = groups.begins.back();
     std::optional<OwnParts> own;
     std::vector<int>        touched(groups.count(), 1);
     if (n_ranks > 1)

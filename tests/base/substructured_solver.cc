@@ -100,7 +100,11 @@ int main(int argc, char **argv)
       vector.block(1)[i] = rhs[n_chain + i];
 
     solver.set_positions(std::vector<double>(owned.begin(), owned.end()));
-    solver.factorize(n, matrix.parts, 2);
+    std::vector<int> group_begins;
+    for (int i = 0; i < n; i += 2)
+      group_begins.push_back(i);
+    group_begins.push_back(n);
+    solver.factorize(group_begins, matrix.parts);
     solver.solve(vector);
     double error = 0;
     for (const auto i : owned)
@@ -121,7 +125,11 @@ int main(int argc, char **argv)
   const Matrix matrix(owned, rank == 0, 0);
   try
   {
-    solver.factorize(n, matrix.parts, 2);
+    std::vector<int> group_begins;
+    for (int i = 0; i < n; i += 2)
+      group_begins.push_back(i);
+    group_begins.push_back(n);
+    solver.factorize(group_begins, matrix.parts);
     out << "not noticed" << std::endl;
   }
   catch (ExceptionBase &)

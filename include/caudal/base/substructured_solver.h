@@ -32,13 +32,13 @@ namespace caudal
     void set_positions(const std::vector<double> &positions);
 
     /**
-     * Orders and factorises the @p n x @p n matrix that is the sum of all ranks' parts (indices
-     * from 0). Unknowns behind those with a position go to where their neighbours are; they have
-     * no elements.
-     * Groups of @p group_size unknowns, which are at one position, stay together.
+     * Orders and factorises the matrix that is the sum of all ranks' parts (indices from 0).
+     * Unknowns behind those with a position go to where their neighbours are; they have no
+     * elements. Groups of consecutive unknowns, which are at one position, stay together:
+     * @p group_begins has their first unknowns, and behind them the number of all unknowns.
      * Throws on all ranks if the matrix is singular or memory runs out on one of them.
      */
-    void factorize(int n, const MatrixParts &parts, unsigned int group_size = 1);
+    void factorize(const std::vector<int> &group_begins, const MatrixParts &parts);
 
     /**
      * Replaces @p vector by the solution: the unknowns in their order, block by block and rank
@@ -101,7 +101,7 @@ namespace caudal
     dealii::LAPACKFullMatrix<double> interface_matrix;
 
     /** Returns whether the pivots are sound. */
-    bool try_to_factorize(int n, const MatrixParts &parts, unsigned int group_size);
+    bool try_to_factorize(const std::vector<int> &group_begins, const MatrixParts &parts);
     void factorize_interface(const MatrixParts &matrix);
     /** Learns from what the elimination took, so that the ranks finish together next time. */
     void draw_conclusions();
