@@ -15,7 +15,7 @@ import tempfile
 from . import hardware, studies, timed_run
 from .timed_run import Case
 
-SERIES = (("40, 6", 6), ("280, 42", 4), ("400, 60", 4), ("560, 84", 4), ("840, 126", 4))
+SERIES = (("40, 6", 6), ("180, 27", 4), ("280, 42", 4), ("400, 60", 4), ("560, 84", 4), ("840, 126", 4))
 SERIES_STEPS = 6
 
 FSI3 = Case("fsi3", "prm/benchmarks/fsi3.prm")

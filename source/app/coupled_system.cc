@@ -1,5 +1,6 @@
 #include <caudal/app/coupled_system.h>
 
+#include <caudal/app/body_unknowns.h>
 #include <caudal/base/conjugate_residuals.h>
 
 #include <deal.II/lac/solver_control.h>
@@ -52,77 +53,14 @@ namespace caudal
      */
     constexpr double relative_speed = 0.04;
 
-    /** Where a body has a field in the system: groups of components, a stride apart. */
-    struct Places
-    {
-      int          begin;
-      unsigned int size, n_components, stride;
-
-      int operator[](const unsigned int i) const
-      {
-        return begin + i / n_components * stride + i % n_components;
-      }
-    };
-
     /**
-     * In the velocity's rows the stiffness, which is singular, offers no sound pivots for rigid
-     * motions and slow bending. At each so many nodes velocity and force density are eliminated
-     * together, with a pivot in the mass; at all nodes that takes up to twice the time.
+     * By the first of a body's rows, those of the balance of its forces, velocities would be
+     * eliminated with pivots in the stiffness. It is singular for rigid motions, and nearly so for
+     * slow bending: on fine grids that costs the digits that the iterations then have to recover.
+     * At one of so many nodes velocity and force density are therefore eliminated together, which
+     * offers pivots in the mass. At all nodes it would take up to twice the time.
      */
     constexpr unsigned int nodes_per_anchor = 64;
-
-    /** Node by node the body's velocity and its force density, last the velocity of its frame. */
-    template <int dim>
-    struct BodyPlaces
-    {
-      BodyPlaces(const BodyEquations &equations, const int begin)
-          : velocity{begin, equations.mass->m(), dim, 2 * dim}
-          , force_density{begin + dim, equations.mass->m(), dim, 2 * dim}
-          , frame{static_cast<int>(begin + 2 * equations.mass->m()),
-                  static_cast<unsigned int>(equations.rigid_moments.size()), 1, 1}
-      {}
-
-      const Places velocity, force_density, frame;
-    };
-
-    /** The bodies' unknowns, which rank 0 holds, to and from all ranks. */
-    class BodyVector
-    {
-    public:
-      BodyVector(MPI_Comm communicator, const unsigned int size)
-          : communicator(communicator)
-          , values(size)
-      {}
-
-      void receive(const FieldVector &source)
-      {
-        std::copy(source.begin(), source.begin() + source.locally_owned_size(), values.begin());
-        MPI_Bcast(values.data(), values.size(), MPI_DOUBLE, 0, communicator);
-      }
-
-      void send(FieldVector &target) const
-      {
-        std::copy(values.begin(), values.begin() + target.locally_owned_size(), target.begin());
-      }
-
-      Vector<double> extract(const Places &places) const
-      {
-        Vector<double> part(places.size);
-        for (unsigned int i = 0; i < places.size; ++i)
-          part[i] = values[places[i]];
-        return part;
-      }
-
-      void insert(const Vector<double> &part, const Places &places)
-      {
-        for (unsigned int i = 0; i < places.size; ++i)
-          values[places[i]] = part[i];
-      }
-
-    private:
-      MPI_Comm            communicator;
-      std::vector<double> values;
-    };
 
     /**
      * Scales of the continuity equation and of the equation of the bodies'
@@ -131,6 +69,12 @@ namespace caudal
     double get_kinematic_scale(const MomentumWeights &weights)
     {
       return weights.inertia;
+    }
+
+    template <int dim>
+    BodyPlaces<dim> get_places(const BodyEquations &equations, const int begin)
+    {
+      return BodyPlaces<dim>(begin, equations.mass->m(), equations.rigid_moments.size());
     }
 
     template <int dim>
@@ -163,11 +107,11 @@ namespace caudal
         unsigned int begin = 0;
         for (const auto &[interaction, equations] : bodies)
         {
-          const unsigned int    n = equations->mass->m(), n_q = equations->rigid_moments.size();
-          const BodyPlaces<dim> places(*equations, begin);
-          const Vector<double>  velocity      = in.extract(places.velocity);
-          const Vector<double>  force_density = in.extract(places.force_density);
-          const Vector<double>  frame         = in.extract(places.frame);
+          const unsigned int   n = equations->mass->m(), n_q = equations->rigid_moments.size();
+          const auto           places        = get_places<dim>(*equations, begin);
+          const Vector<double> velocity      = in.extract(places.velocity);
+          const Vector<double> force_density = in.extract(places.force_density);
+          const Vector<double> frame         = in.extract(places.frame);
           interaction->spread(force_density, forces);
 
           Vector<double> kinematic(n), interpolated(n), balance(n), frame_balance(n_q);
@@ -356,8 +300,8 @@ namespace caudal
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const unsigned int    n = equations->mass->m(), n_q = equations->rigid_moments.size();
-      const BodyPlaces<dim> places(*equations, begin);
+      const unsigned int n = equations->mass->m(), n_q = equations->rigid_moments.size();
+      const auto         places                    = get_places<dim>(*equations, begin);
       const auto &[velocity, force_density, frame] = places;
       const Places &balance = velocity, &kinematic = force_density; // rows
       interaction->for_each_entry(
@@ -388,8 +332,9 @@ namespace caudal
       }
       for (unsigned int i = 0; i < n; i += dim)
       {
+        const bool is_anchor = i / dim % nodes_per_anchor == 0;
         group_begins.push_back(velocity[i]);
-        if (i / dim % nodes_per_anchor != 0)
+        if (!is_anchor)
           group_begins.push_back(force_density[i]);
       }
       if (n_q > 0)
@@ -485,7 +430,7 @@ namespace caudal
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const BodyPlaces<dim> places(*equations, begin);
+      const auto places = get_places<dim>(*equations, begin);
       equations->velocity *= scale;
       equations->frame_velocity *= scale;
       values.insert(equations->force_density, places.velocity);
@@ -510,7 +455,7 @@ namespace caudal
     unsigned int begin = 0;
     for (const auto &[interaction, equations] : bodies)
     {
-      const BodyPlaces<dim> places(*equations, begin);
+      const auto places         = get_places<dim>(*equations, begin);
       equations->velocity       = values.extract(places.velocity);
       equations->force_density  = values.extract(places.force_density);
       equations->frame_velocity = values.extract(places.frame);
