@@ -47,20 +47,20 @@ namespace caudal
   namespace
   {
     /**
-     * Time for an operation of a factorisation over that for an entry of the factors in an
-     * iteration: 0.036 to 0.05 in systems with 2e6 to 3e7 entries (OpenBLAS, one core). It is
+     * Time of a factorisation for each of its operations over that of an iteration for an entry of
+     * the factors: 0.036 to 0.05 in systems with 2e6 to 3e7 entries (OpenBLAS, one core). It is
      * a constant since decisions by measured times would differ from run to run.
      */
     constexpr double relative_speed = 0.04;
 
     /**
-     * By the first of a body's rows, those of the balance of its forces, velocities would be
-     * eliminated with pivots in the stiffness. It is singular for rigid motions, and nearly so for
-     * slow bending: on fine grids that costs the digits that the iterations then have to recover.
-     * At one of so many nodes velocity and force density are therefore eliminated together, which
+     * A body's velocities would take their pivots from the balance of its forces, that is from the
+     * stiffness. It is singular for rigid motions, and nearly so for slow bending: on fine grids
+     * that costs the digits that the iterations then have to recover. At one node in so many, but
+     * at a few of any body, velocity and force density are therefore eliminated together, which
      * offers pivots in the mass. At all nodes it would take up to twice the time.
      */
-    constexpr unsigned int nodes_per_anchor = 64;
+    constexpr unsigned int nodes_per_anchor = 64, fewest_anchors = 4;
 
     /**
      * Scales of the continuity equation and of the equation of the bodies'
@@ -294,15 +294,16 @@ namespace caudal
     Triplets          &entries = matrix.entries;
     momentum.get_matrix().append_to(matrix);
     int              begin = space.velocity_dofs.n_dofs();
-    std::vector<int> group_begins; // of nodes
+    std::vector<int> group_begins; // of unknowns that are eliminated together
     for (int i = 0; i < begin; i += dim)
       group_begins.push_back(i);
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)
     {
       const unsigned int n = equations->mass->m(), n_q = equations->rigid_moments.size();
-      const auto         places                    = get_places<dim>(*equations, begin);
-      const auto &[velocity, force_density, frame] = places;
+      const auto         places   = get_places<dim>(*equations, begin);
+      const Places      &velocity = places.velocity, &force_density = places.force_density,
+                   &frame   = places.frame;
       const Places &balance = velocity, &kinematic = force_density; // rows
       interaction->for_each_entry(
           [&](const unsigned int row, const types::global_dof_index column, const double value) {
@@ -330,9 +331,10 @@ namespace caudal
             entries.add(frame[k], frame[l], -scale * equations->rigid_inertia(k, l));
         }
       }
+      const unsigned int spacing = std::clamp(n / dim / fewest_anchors, 1u, nodes_per_anchor);
       for (unsigned int i = 0; i < n; i += dim)
       {
-        const bool is_anchor = i / dim % nodes_per_anchor == 0;
+        const bool is_anchor = i / dim % spacing == 0;
         group_begins.push_back(velocity[i]);
         if (!is_anchor)
           group_begins.push_back(force_density[i]);

@@ -24,6 +24,7 @@ namespace caudal
         data.supernodal         = CHOLMOD_SUPERNODAL;
         data.nmethods           = 1;
         data.method[0].ordering = CHOLMOD_GIVEN;
+        data.postorder          = 1;
         data.print              = 0;
         // Fronts are joined where that adds few zeros. With CHOLMOD's own limits, which are meant
         // for single unknowns rather than groups, there are a tenth more operations.

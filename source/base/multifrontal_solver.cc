@@ -274,7 +274,9 @@ namespace caudal
     {
       const int         stack = stack_of[f], parent = tree.fronts[f].parent;
       const std::size_t size = get_size(tree.fronts[f]);
-      top[1 - stack] -= of_children[f]; // on top, as the children's subtrees end with them
+      // In postorder those of the children are on top.
+      Assert(of_children[f] <= top[1 - stack], ExcInternalError());
+      top[1 - stack] -= of_children[f];
       update_begins[f] = top[stack];
       height[stack]    = std::max(height[stack], top[stack] + size);
       if (parent >= 0)
@@ -300,6 +302,12 @@ namespace caudal
     lay_out_updates();
     schur_complement.assign(static_cast<std::size_t>(n_kept) * n_kept, 0.);
     return eliminate(matrix);
+  }
+
+  void MultifrontalSolver::clear()
+  {
+    factors.clear();
+    updates.clear();
   }
 
   bool MultifrontalSolver::eliminate(const MatrixParts &matrix)

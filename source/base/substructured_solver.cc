@@ -19,6 +19,8 @@ namespace caudal
      * unknowns (OpenBLAS, one core).
      */
     constexpr double operations_per_entry = 370, operations_per_unknown = 1.4e4;
+    /** Of the factors, far from bodies, for what must be known before they are. */
+    constexpr double entries_per_unknown = 120;
 
     /** Unknowns in groups: first those of the placed ones, then those of the others. */
     struct Groups
@@ -29,6 +31,7 @@ namespace caudal
           , begins(begins)
           , of_unknown(begins.back())
       {
+        AssertDimension(begins[n_placed_groups], n_placed);
         for (int group = 0; group < count(); ++group)
           std::fill(of_unknown.begin() + begins[group], of_unknown.begin() + begins[group + 1],
                     group);
@@ -47,7 +50,7 @@ namespace caudal
     /**
      * The strips of the placed groups, which get the ranks' @p shares of the estimated cost: it
      * grows with the cube of the number of entries in a row. Groups at one position share a
-     * strip. How many entries the factors will have is not known: about 120 for an unknown.
+     * strip.
      */
     void cut_into_strips(const Groups &groups, const std::vector<double> &positions,
                          const std::vector<int> &sorted_unknowns, const std::vector<double> &shares,
@@ -69,8 +72,9 @@ namespace caudal
       {
         const double n_unknowns = groups.begins[group + 1] - groups.begins[group];
         const double row_length = work[group] / n_unknowns;
-        work[group] = n_unknowns * (operations_per_unknown + 120 * operations_per_entry +
-                                    0.5 * row_length * row_length * row_length);
+        work[group] =
+            n_unknowns * (operations_per_unknown + entries_per_unknown * operations_per_entry +
+                          0.5 * row_length * row_length * row_length);
       }
       const double total = std::accumulate(work.begin(), work.end(), 0.);
       // Positions that differ by round-off are one.
@@ -215,6 +219,7 @@ namespace caudal
     if (!try_to_factorize(group_begins, parts))
     {
       in_strips = false;
+      interior.clear();
       try_to_factorize(group_begins, parts);
     }
     draw_conclusions();

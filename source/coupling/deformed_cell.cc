@@ -61,8 +61,11 @@ namespace caudal
   BoundingBox<dim> DeformedCell<dim>::get_box() const
   {
     BoundingBox<dim> box(nodes);
+    double           largest_side = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      largest_side = std::max(largest_side, box.side_length(d));
     if (element.degree > 1)
-      box.extend(0.5 * nodes[0].distance(nodes[GeometryInfo<dim>::vertices_per_cell - 1]));
+      box.extend(0.5 * largest_side); // quadratic edges reach 0.28 sides beyond in 2D, 0.48 in 3D
     return box;
   }
 

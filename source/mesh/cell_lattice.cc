@@ -1,6 +1,8 @@
 #include <caudal/mesh/cell_lattice.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace caudal
 {
@@ -68,19 +70,26 @@ namespace caudal
   template <int dim>
   void CellSet<dim>::add(const std::vector<BoundingBox<dim>> &boxes, const double margin)
   {
-    const unsigned int finest = lattice.get_finest_level();
+    const unsigned int   finest = lattice.get_finest_level();
+    const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
     for (const BoundingBox<dim> &box : boxes)
-      any_cell_in(lattice, box, margin, [&](auto cell) {
-        if (!lattice.is_inside(cell, finest))
-          inside_domain = false;
-        else
-          // Once an ancestor is known, so are all above it.
-          for (int level = finest;
-               level >= 0 && keys[level].insert(CellLattice<dim>::get_key(cell)).second; --level)
-            for (int &coordinate : cell)
-              coordinate >>= 1;
-        return false;
-      });
+    {
+      const auto &[lower, upper] = box.get_boundary_points();
+      any_cell_between(lattice.get_coordinates(lower - slack, finest),
+                       lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
+                         if (!lattice.is_inside(cell, finest))
+                           inside_domain = false;
+                         else
+                           // Once an ancestor is known, so are all above it.
+                           for (int level = finest;
+                                level >= 0 &&
+                                keys[level].insert(CellLattice<dim>::get_key(cell)).second;
+                                --level)
+                             for (int &coordinate : cell)
+                               coordinate >>= 1;
+                         return false;
+                       });
+    }
   }
 
   template <int dim>
@@ -108,12 +117,21 @@ namespace caudal
                                 const Triangulation<dim> &triangulation)
       : lattice(lattice)
   {
+    lowest.fill(std::numeric_limits<int>::max());
+    highest.fill(std::numeric_limits<int>::lowest());
     const unsigned int finest = lattice.get_finest_level();
     if (triangulation.n_levels() > finest)
       for (const auto &cell : triangulation.active_cell_iterators_on_level(finest))
         if (cell->is_locally_owned())
-          cells.emplace(CellLattice<dim>::get_key(lattice.get_coordinates(cell->center(), finest)),
-                        cell);
+        {
+          const auto coordinates = lattice.get_coordinates(cell->center(), finest);
+          cells.emplace(CellLattice<dim>::get_key(coordinates), cell);
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            lowest[d]  = std::min(lowest[d], coordinates[d]);
+            highest[d] = std::max(highest[d], coordinates[d]);
+          }
+        }
   }
 
   template <int dim>
@@ -129,8 +147,22 @@ namespace caudal
   template <int dim>
   bool FinestCells<dim>::meet(const BoundingBox<dim> &box, const double margin) const
   {
-    return any_cell_in(lattice, box, margin,
-                       [&](const auto &cell) { return find(cell) != nullptr; });
+    const unsigned int   finest = lattice.get_finest_level();
+    const Tensor<1, dim> size   = lattice.get_cell_size(finest);
+    const Point<dim>     origin = lattice.get_lower_corner({}, finest);
+    const auto &[lower, upper]  = box.get_boundary_points();
+    typename CellLattice<dim>::Coordinates first, last;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      // Numbers that no integer holds are clipped before they become one.
+      const double begin = std::floor((lower[d] - origin[d]) / size[d] - margin);
+      const double end   = std::floor((upper[d] - origin[d]) / size[d] + margin);
+      if (!(begin <= highest[d] && end >= lowest[d]))
+        return false;
+      first[d] = std::max<double>(begin, lowest[d]);
+      last[d]  = std::min<double>(end, highest[d]);
+    }
+    return any_cell_between(first, last, [&](const auto &cell) { return find(cell) != nullptr; });
   }
 
   template class CellLattice<2>;

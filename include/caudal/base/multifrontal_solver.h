@@ -32,6 +32,9 @@ namespace caudal
     bool factorize(const std::vector<int> &group_begins, const MatrixParts &matrix,
                    unsigned int n_kept = 0);
 
+    /** Gives back the memory. */
+    void clear();
+
     /** S, row by row. */
     const std::vector<double> &get_schur_complement() const
     {
@@ -68,7 +71,7 @@ namespace caudal
     std::vector<int>              exchanges;
     std::vector<double>           schur_complement;
 
-    /** Work space: what fronts leave for their parents, and where each puts it. */
+    /** Work space: what fronts leave for their parents, and where that of each begins. */
     dealii::AlignedVector<double> updates;
     std::vector<std::size_t>      update_begins;
 

@@ -34,8 +34,9 @@ namespace caudal
     /**
      * Orders and factorises the matrix that is the sum of all ranks' parts (indices from 0).
      * Unknowns behind those with a position go to where their neighbours are; they have no
-     * elements. Groups of consecutive unknowns, which are at one position, stay together:
-     * @p group_begins has their first unknowns, and behind them the number of all unknowns.
+     * elements. Groups of consecutive unknowns stay together: @p group_begins has their first
+     * unknowns, and behind them the number of all unknowns. Those of a group have one position, or
+     * none.
      * Throws on all ranks if the matrix is singular or memory runs out on one of them.
      */
     void factorize(const std::vector<int> &group_begins, const MatrixParts &parts);

@@ -93,7 +93,7 @@ namespace caudal
     // What the inhomogeneous constraints contribute to G u.
     Vector<double> inhomogeneity;
 
-    /** Entries of equal places add up. */
+    /** Entries with the same row and column are added up. */
     struct LooseEntry
     {
       unsigned int            row;

@@ -47,24 +47,19 @@ namespace caudal
   };
 
   /**
-   * Calls operation(coordinates) for every cell of the finest level, inside the domain or not, that
-   * meets the @p box, enlarged by @p margin cells, until one call returns true. Returns whether one
-   * did.
+   * Calls operation(coordinates) for all cells from @p first to @p last, in each direction, until
+   * one call returns true. Returns whether one did.
    */
-  template <int dim, class Operation>
-  bool any_cell_in(const CellLattice<dim> &lattice, const BoundingBox<dim> &box,
-                   const double margin, const Operation &operation)
+  template <std::size_t dim, class Operation>
+  bool any_cell_between(const std::array<int, dim> &first, const std::array<int, dim> &last,
+                        const Operation &operation)
   {
-    const unsigned int   finest = lattice.get_finest_level();
-    const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
-    const auto first = lattice.get_coordinates(box.get_boundary_points().first - slack, finest);
-    const auto last  = lattice.get_coordinates(box.get_boundary_points().second + slack, finest);
     for (auto cell = first;;)
     {
       if (operation(cell))
         return true;
       unsigned int d = 0;
-      for (; d < dim && cell[d] == last[d]; ++d)
+      for (; d < dim && cell[d] >= last[d]; ++d)
         cell[d] = first[d];
       if (d == dim)
         return false;
@@ -130,6 +125,8 @@ namespace caudal
   private:
     const CellLattice<dim>                                  &lattice;
     std::unordered_map<typename CellLattice<dim>::Key, Cell> cells;
+    /** The lowest and the highest coordinates in each direction. */
+    typename CellLattice<dim>::Coordinates lowest, highest;
   };
 } // namespace caudal
 
