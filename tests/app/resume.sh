@@ -18,7 +18,8 @@ rm -r results
 "$CAUDAL" disc.prm -D "Checkpoint/Interval of steps=5" -D "Time/End time=1000" >printed 2>errors &
 run=$!
 # Older checkpoints are removed meanwhile: any newer one will do.
-while [[ "$(ls results/restart 2>/dev/null | tail -n 1)" < step-00000025 ]]; do sleep 0.1; done
+newest() { ls results/restart 2>/dev/null | sed -n '$ s/step-0*//p'; }
+while ! [ "0$(newest)" -ge 25 ]; do sleep 0.1; done
 kill -TERM $run
 wait $run
 echo "exit code $?, $(grep -o 'Stopped on request' printed)"
