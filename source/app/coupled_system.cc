@@ -340,7 +340,7 @@ namespace caudal
           group_begins.push_back(force_density[i]);
       }
       if (n_q > 0)
-        group_begins.push_back(begin + 2 * n);
+        group_begins.push_back(frame.begin);
       begin += equations->n_unknowns();
     }
     group_begins.push_back(begin);

@@ -19,6 +19,16 @@ namespace
 {
   constexpr int n_chain = 24, n_free = 3, n = n_chain + n_free;
 
+  /** Pairs of unknowns, and the last one alone. */
+  std::vector<int> make_group_begins()
+  {
+    std::vector<int> begins;
+    for (int i = 0; i < n; i += 2)
+      begins.push_back(i);
+    begins.push_back(n);
+    return begins;
+  }
+
   /**
    * The matrix: each rank has the elements of three that begin in its part of the chain, and
    * couplings of this part; rank 0 has those of the others.
@@ -100,11 +110,7 @@ int main(int argc, char **argv)
       vector.block(1)[i] = rhs[n_chain + i];
 
     solver.set_positions(std::vector<double>(owned.begin(), owned.end()));
-    std::vector<int> group_begins;
-    for (int i = 0; i < n; i += 2)
-      group_begins.push_back(i);
-    group_begins.push_back(n);
-    solver.factorize(group_begins, matrix.parts);
+    solver.factorize(make_group_begins(), matrix.parts);
     solver.solve(vector);
     double error = 0;
     for (const auto i : owned)
@@ -125,11 +131,7 @@ int main(int argc, char **argv)
   const Matrix matrix(owned, rank == 0, 0);
   try
   {
-    std::vector<int> group_begins;
-    for (int i = 0; i < n; i += 2)
-      group_begins.push_back(i);
-    group_begins.push_back(n);
-    solver.factorize(group_begins, matrix.parts);
+    solver.factorize(make_group_begins(), matrix.parts);
     out << "not noticed" << std::endl;
   }
   catch (ExceptionBase &)

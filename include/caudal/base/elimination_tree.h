@@ -11,8 +11,8 @@ namespace caudal
    * The fronts in which a sparse matrix is eliminated: each has the unknowns that it eliminates,
    * its pivots, and the rest of the unknowns that these are coupled with by then. What it leaves
    * for its rest goes to the front that eliminates the first one of it (Liu 1992,
-   * doi:10.1137/1034004). Fronts are in postorder: each comes
-   * right behind the fronts of its subtree.
+   * doi:10.1137/1034004). Fronts are in postorder: each comes right behind those of
+   * its subtree.
    *
    * The order is that of constrained approximate minimum degree, the fronts are those of CHOLMOD's
    * supernodes (Chen, Davis, Hager & Rajamanickam 2008, doi:10.1145/1391989.1391995). Both regard
