@@ -1,10 +1,10 @@
-#include <caudal/app/elastic_body.h>
-#include <caudal/app/immersed_swimmer.h>
 #include <caudal/app/model_run.h>
-#include <caudal/app/potential_swimmer.h>
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/solid/elastic_body.h>
+#include <caudal/viscous/immersed_swimmer.h>
 
 #include <chrono>
 #include <csignal>

@@ -1,8 +1,8 @@
-#include <caudal/app/immersed_swimmer.h>
 #include <caudal/app/model_run.h>
-#include <caudal/app/potential_swimmer.h>
 #include <caudal/app/resume.h>
 #include <caudal/base/archive.h>
+#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/viscous/immersed_swimmer.h>
 
 namespace caudal
 {

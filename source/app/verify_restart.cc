@@ -1,10 +1,10 @@
-#include <caudal/app/immersed_swimmer.h>
 #include <caudal/app/model_run.h>
-#include <caudal/app/potential_swimmer.h>
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/ideal/potential_swimmer.h>
 #include <caudal/io/safe_file.h>
+#include <caudal/viscous/immersed_swimmer.h>
 
 #include <cmath>
 #include <filesystem>

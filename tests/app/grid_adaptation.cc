@@ -1,8 +1,8 @@
 // Adapting the grid, by refining and by coarsening: what the transfer of the
 // velocity does to mass (its discrete divergence), momentum and energy.
 
-#include <caudal/app/grid_adaptation.h>
-#include <caudal/app/parameters.h>
+#include <caudal/viscous/grid_adaptation.h>
+#include <caudal/viscous/parameters.h>
 
 #include <iostream>
 

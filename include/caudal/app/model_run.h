@@ -1,8 +1,8 @@
 #ifndef caudal_app_model_run_h
 #define caudal_app_model_run_h
 
-#include <caudal/app/outcome.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/outcome.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/io/output_folder.h>
 

@@ -1,8 +1,8 @@
 #ifndef caudal_fluid_cellwise_matrix_h
 #define caudal_fluid_cellwise_matrix_h
 
-#include <caudal/base/matrix_parts.h>
 #include <caudal/base/types.h>
+#include <caudal/linear/matrix_parts.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>

@@ -1,0 +1,14 @@
+#ifndef caudal_base_outcome_h
+#define caudal_base_outcome_h
+
+namespace caudal
+{
+  /** How a run ended, if not by an error. */
+  enum class Outcome
+  {
+    finished,
+    stopped // on request
+  };
+} // namespace caudal
+
+#endif

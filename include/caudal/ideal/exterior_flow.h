@@ -1,0 +1,132 @@
+#ifndef caudal_ideal_exterior_flow_h
+#define caudal_ideal_exterior_flow_h
+
+#include <caudal/ideal/placed_surface.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace caudal::ideal
+{
+  /**
+   * The flow around a surface for each of its motions: the three rotations about the
+   * origin, the three translations, and the modes of SurfaceMotion, in this order.
+   */
+  struct Potentials
+  {
+    /** phi_k at the surface's nodes for unit rate of motion k; by node, motion [m^2 or m^3]. */
+    FullMatrix<double> values;
+
+    /**
+     * The fluid's mass matrix over its density, -int phi_k (u_l.n) dS, u_l the surface's
+     * velocity in motion l, symmetrised [m^3 to m^5].
+     */
+    FullMatrix<double> added_mass;
+
+    double volume = 0.; ///< inside the surface [m^3]
+  };
+
+  /** What flows have cost, in s of CPU of this rank. */
+  struct BoundaryElementCost
+  {
+    double assembly = 0.;
+    double solution = 0.;
+    double gradient = 0.; ///< of energies
+  };
+
+  /**
+   * The solved boundary integral equations of a surface in one position; see
+   * BoundaryElements. If the surface and its modes are symmetric, z -> -z, the equations of
+   * symmetric and antisymmetric potentials are solved apart, each on one half.
+   */
+  class ExteriorFlow
+  {
+  public:
+    /** The equations are shared among the ranks of @p communicator. Collective. */
+    ExteriorFlow(const Surface &surface, SurfaceMotion motion, ReferenceRules &rules,
+                 MPI_Comm communicator, BoundaryElementCost &cost);
+
+    /** The same on every rank. */
+    const Potentials &get_potentials() const
+    {
+      return potentials;
+    }
+
+    /**
+     * The derivatives of T/rho = (1/2) u^T M u, M the added mass, with respect to the
+     * coordinates c_i of the modes [m^5], for fixed rates u of all motions. @p mode_rates are
+     * sum_j u_(6+j) d^2X/(dc_i dc_j) by mode i and node.
+     *
+     * They are exact for the discrete equations A phi + b = 0, T/rho = -f.phi/2: with the
+     * adjoint potential lambda, A^T lambda = f, it is dT/rho = (lambda.(dA phi + db) - df.phi)/2,
+     * d for the change of places at fixed phi (e.g. M. B. Giles and N. A. Pierce, Flow Turbul.
+     * Combust. 65, 2000, doi:10.1023/A:1011430410075). So one pass over the surface serves
+     * all modes, and the work of the joints is the change of the energy also on coarse
+     * surfaces. Collective.
+     */
+    std::vector<double>
+    compute_energy_gradient(const std::vector<double>                    &u,
+                            const std::vector<std::vector<Tensor<1, 3>>> &mode_rates);
+
+    /**
+     * Whether the energy of a sum of motions @p u and @p v can differ from the sum of their
+     * energies: in symmetric shapes, only if some parts of them have the same symmetry.
+     */
+    bool interact(const Vector<double> &u, const Vector<double> &v) const;
+
+  private:
+    /** The equations of potentials of one symmetry; both unknowns and equations at nodes. */
+    struct Equations
+    {
+      int                                  sign = 0; ///< of phi(x, y, -z)/phi(x, y, z), or 0
+      std::vector<types::global_dof_index> nodes;
+      std::vector<unsigned int>            motions;
+      LAPACKFullMatrix<double>             matrix; ///< A^T: each column is an equation
+      LAPACKFullMatrix<double>             rhs;    ///< by motion, then equation
+    };
+
+    /** One flow on the whole surface, at the nodes. */
+    struct NodalFlow
+    {
+      std::vector<double>       potential;
+      std::vector<Tensor<1, 3>> velocity; ///< of the surface
+    };
+
+    /** Derivatives with respect to places and velocities of the nodes. */
+    struct NodalGradient
+    {
+      std::vector<Tensor<1, 3>> place, velocity;
+    };
+
+    void split_by_symmetry();
+    void assemble();
+    void add_equation(unsigned int node, double *row, double *rhs);
+    void solve(Equations &equations);
+    void integrate();
+
+    /** Adds a full row over all nodes to the half that the equations know. */
+    void fold(const Equations &equations, const double *row, double *result) const;
+
+    CellFlow       extract_cell(const NodalFlow &flow, unsigned int cell) const;
+    NodalFlow      combine(const Equations &equations, const std::vector<double> &u) const;
+    Vector<double> compute_adjoint(const Equations &equations, const NodalFlow &flow) const;
+    NodalGradient  differentiate(const Equations &equations, const NodalFlow &flow,
+                                 const Vector<double> &adjoint);
+    void           add_cell(const Equations &equations, unsigned int cell, const NodalFlow &flow,
+                            const Vector<double> &adjoint, NodalGradient &gradient);
+    void           add_to_nodes(unsigned int cell, const CellGradient &cell_gradient,
+                                NodalGradient &gradient) const;
+
+    const Surface         &surface;
+    const SurfaceMotion    motion;
+    const MPI_Comm         communicator;
+    BoundaryElementCost   &cost;
+    PlacedSurface          placed;
+    std::vector<Equations> systems;
+    Potentials             potentials;
+  };
+} // namespace caudal::ideal
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef caudal_ideal_potential_parameters_h
+#define caudal_ideal_potential_parameters_h
+
+#include <caudal/base/parameter_file.h>
+#include <caudal/ideal/gait.h>
+#include <caudal/ideal/kirchhoff.h>
+#include <caudal/ideal/resistance.h>
+#include <caudal/ideal/shape.h>
+#include <caudal/ideal/surface.h>
+#include <caudal/io/checkpoint_folder.h>
+#include <caudal/io/field_output.h>
+
+namespace caudal
+{
+  using namespace dealii;
+
+  /** Section `Time` of a run of the potential model: when there is output. */
+  struct OutputSchedule
+  {
+    double end_time   = 20.;
+    double step       = 0.01;
+    double first_step = 0.001;
+    double first_part = 1.;
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+
+    /** All times of output [s], from 0 to the end. */
+    std::vector<double> get_times() const;
+  };
+
+  /** Section `Body`. */
+  struct PotentialBodyParameters
+  {
+    double              density         = 0.; // 0: that of the fluid
+    std::vector<double> linear_impulse  = {0., 0., 0.};
+    std::vector<double> angular_impulse = {0., 0., 0.};
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+    bool is_from_rest() const;
+
+    /** (Lambda, Pi) at the start. */
+    ideal::Screw get_impulse() const;
+  };
+
+  /** Section `Integration`. */
+  struct IntegrationParameters
+  {
+    std::string  method    = "table";
+    unsigned int n_phases  = 32;
+    double       tolerance = 1e-9;
+    bool         torques   = true;
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /** All parameters of a run of the swimmer in an ideal fluid. */
+  struct PotentialParameters
+  {
+    /**
+     * What body and motion are, and columns of the tables depend on: entries that can't change
+     * in the middle of a run, as a regular expression.
+     */
+    static constexpr const char *fixed_entries =
+        "Model|Shape/.*|Surface/.*|Gait/.*|Body/.*|Fluid/Density|Integration/Torques|"
+        "Resistance/Active|Output/Format";
+
+    std::string                 model         = "potential";
+    double                      fluid_density = 1000.;
+    OutputSchedule              time;
+    ideal::ShapeParameters      shape;
+    ideal::SurfaceParameters    surface;
+    ideal::GaitParameters       gait;
+    PotentialBodyParameters     body;
+    IntegrationParameters       integration;
+    ideal::ResistanceParameters resistance;
+    OutputParameters            output;
+    CheckpointParameters        checkpoint;
+
+    PotentialParameters() = default;
+
+    /** Its sections are the same for each file. */
+    explicit PotentialParameters(const ParameterFile *) {}
+
+    void declare(ParameterHandler &prm);
+    void check() const;
+
+    ideal::Densities get_densities() const;
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef caudal_observe_backward_difference_h
+#define caudal_observe_backward_difference_h
+
+#include <deal.II/base/tensor.h>
+
+#include <boost/serialization/deque.hpp>
+#include <boost/serialization/utility.hpp>
+
+#include <deque>
+
+namespace caudal
+{
+  using namespace dealii;
+
+  /** d/dt of sampled values at the last of them, from the last three: of second order. */
+  template <int dim>
+  class BackwardDifference
+  {
+  public:
+    void add(double time, const Tensor<1, dim> &value);
+
+    /** Adds @p jump to the samples so far, to which a later one is then compared. */
+    void shift(const Tensor<1, dim> &jump);
+
+    /** Of first order from two samples, zero from one. */
+    Tensor<1, dim> get_derivative() const;
+
+    /** The same between the last two samples: their change. Zero if there are not two. */
+    Tensor<1, dim> get_change() const;
+
+    /** The time between the last two samples, zero if there are not two. */
+    double get_step() const;
+
+    bool is_empty() const
+    {
+      return samples.empty();
+    }
+
+    const Tensor<1, dim> &get_last() const
+    {
+      return samples.back().second;
+    }
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &samples;
+    }
+
+  private:
+    std::deque<std::pair<double, Tensor<1, dim>>> samples;
+  };
+} // namespace caudal
+
+#endif

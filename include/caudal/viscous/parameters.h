@@ -1,0 +1,59 @@
+#ifndef caudal_viscous_parameters_h
+#define caudal_viscous_parameters_h
+
+#include <caudal/base/parameter_file.h>
+#include <caudal/base/time_stepping.h>
+#include <caudal/io/checkpoint_folder.h>
+#include <caudal/io/field_output.h>
+#include <caudal/mesh/refinement.h>
+#include <caudal/observe/guard_parameters.h>
+#include <caudal/viscous/swimming_body.h>
+
+namespace caudal
+{
+  /** All parameters of a run of the immersed swimmer. */
+  template <int dim>
+  struct RunParameters
+  {
+    /**
+     * What grids, unknowns, columns of the tables or the kind of state depend on: entries that
+     * can't change in the middle of a run, as a regular expression.
+     */
+    static constexpr const char *fixed_entries =
+        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Probes|Fluid/Control volume|"
+        "Fluid/Exact solution|Output/Format|Body [^/]*/(Regions|Polynomial degree|"
+        "Monitored points|Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)";
+
+    std::string  model     = "immersed";
+    unsigned int dimension = dim;
+    std::string  bodies_text;
+
+    TimeParameters                                            time;
+    DomainParameters<dim>                                     domain;
+    FluidParameters<dim>                                      fluid;
+    CouplingParameters                                        coupling;
+    RefinementParameters                                      refinement;
+    SolverParameters                                          solver;
+    OutputParameters                                          output;
+    CheckpointParameters                                      checkpoint;
+    GuardParameters                                           guards;
+    std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
+
+    /**
+     * The bodies and their regions, which decide what sections there are, are
+     * those that @p file names; without a file one body <name> with one region.
+     */
+    explicit RunParameters(const ParameterFile *file);
+
+    void declare(ParameterHandler &prm);
+    void check() const;
+  };
+
+  /** The model that the file asks for: immersed, potential or elastic. */
+  std::string get_model(const ParameterFile &file);
+
+  /** The space dimension that the file asks for: 2 or 3. */
+  unsigned int get_dimension(const ParameterFile &file);
+} // namespace caudal
+
+#endif

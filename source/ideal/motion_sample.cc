@@ -1,0 +1,100 @@
+#include <caudal/ideal/motion_sample.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace caudal::ideal
+{
+  double MotionSample::get_power() const
+  {
+    return std::accumulate(powers.begin(), powers.end(), 0.);
+  }
+
+  MotionSample compute_sample(const MotionProblem &problem, const BodyState &body,
+                              const double time, const bool has_torques)
+  {
+    StrokeModel      &model = *problem.model;
+    const double      rate = problem.rate, argument = rate * time;
+    const StrokeState state = model.compute_state(argument);
+    MotionSample      sample;
+    sample.time     = time;
+    sample.body     = body;
+    sample.velocity = state.motion.compute_velocity(body.impulse, rate);
+
+    const Screw       &q     = sample.velocity;
+    const Tensor<1, 3> omega = Point<3>(q[0], q[1], q[2]), v = Point<3>(q[3], q[4], q[5]);
+    sample.centre          = body.position + body.rotate(state.centre);
+    sample.centre_velocity = body.rotate(v + cross_product_3d(omega, state.centre) +
+                                         rate * model.compute_centre_rate(argument));
+    sample.energy = 0.5 * (q * (state.motion.mass * q)) + rate * (q * state.motion.momentum) +
+                    rate * rate * state.deformation_energy;
+    if (has_torques)
+    {
+      const Load load = problem.force ? problem.force({argument, rate, q}) : Load();
+      sample.torques  = model.compute_torques(
+           argument, {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
+      for (std::size_t i = 0; i < sample.torques.size(); ++i)
+      {
+        if (!load.on_modes.empty())
+          sample.torques[i] -= load.on_modes[i];
+        sample.powers.push_back(sample.torques[i] * rate * state.rates[i]);
+      }
+    }
+    return sample;
+  }
+
+  void EnergyAverages::add(const MotionSample &sample, const double weight)
+  {
+    duration += weight;
+    energy += weight * sample.energy;
+    largest_energy = std::max(largest_energy, sample.energy);
+    positive_work += weight * std::max(sample.get_power(), 0.);
+    for (const double power : sample.powers)
+      gross_work += weight * std::abs(power);
+    largest_torques.resize(sample.torques.size(), 0.);
+    for (std::size_t i = 0; i < sample.torques.size(); ++i)
+      largest_torques[i] = std::max(largest_torques[i], std::abs(sample.torques[i]));
+  }
+
+  EnergyAverages EnergyAverages::at_rate(const double rate) const
+  {
+    EnergyAverages result = *this;
+    const double   square = rate * rate;
+    result.energy *= square;
+    result.largest_energy *= square;
+    result.positive_work *= square * rate;
+    result.gross_work *= square * rate;
+    for (double &torque : result.largest_torques)
+      torque *= square;
+    return result;
+  }
+
+  double EnergyAverages::mean_energy() const
+  {
+    return energy / duration;
+  }
+
+  double EnergyAverages::mean_positive_power() const
+  {
+    return positive_work / duration;
+  }
+
+  double EnergyAverages::mean_gross_power() const
+  {
+    return gross_work / duration;
+  }
+
+  EnergyAverages average_stroke(StrokeModel &model, const unsigned int n_phases,
+                                const bool has_torques)
+  {
+    EnergyAverages averages;
+    MotionProblem  problem;
+    problem.model = &model;
+    for (unsigned int k = 0; k < n_phases; ++k)
+      averages.add(
+          compute_sample(problem, BodyState(), 2. * numbers::PI * k / n_phases, has_torques),
+          1. / n_phases);
+    return averages;
+  }
+} // namespace caudal::ideal

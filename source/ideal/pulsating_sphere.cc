@@ -1,0 +1,139 @@
+#include <caudal/ideal/pulsating_sphere.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+
+namespace caudal::ideal
+{
+  namespace
+  {
+    /** For integrals over mu from -1 to 1. */
+    const QGauss<1> &get_quadrature()
+    {
+      static const QGauss<1> quadrature(48);
+      return quadrature;
+    }
+  } // namespace
+
+  PulsatingSphere::PulsatingSphere(const Surface &surface, const double radius,
+                                   const double amplitude, const unsigned int order)
+      : directions(surface.get_reference_points())
+      , radius(radius)
+      , amplitude(amplitude)
+      , order(order)
+  {}
+
+  unsigned int PulsatingSphere::n_modes() const
+  {
+    return 2;
+  }
+
+  bool PulsatingSphere::is_symmetric() const
+  {
+    return false;
+  }
+
+  double PulsatingSphere::get_length() const
+  {
+    return 2. * radius;
+  }
+
+  double PulsatingSphere::compute_bend(const std::vector<double> &c) const
+  {
+    get_scale(c); // throws if the radius is negative
+    return 0.;
+  }
+
+  PulsatingSphere::Radius PulsatingSphere::get_raw_radius(const double               mu,
+                                                          const std::vector<double> &c) const
+  {
+    const double first  = radius * amplitude * std::legendre(order, mu);
+    const double second = radius * amplitude * std::legendre(order + 1, mu);
+    return {radius + c[0] * first + c[1] * second, {first, second}};
+  }
+
+  PulsatingSphere::Radius PulsatingSphere::get_scale(const std::vector<double> &c) const
+  {
+    // The mean of R^3 is to be a^3.
+    double cubes = 0., derivatives[2] = {0., 0.};
+    for (unsigned int q = 0; q < get_quadrature().size(); ++q)
+    {
+      const Radius R = get_raw_radius(2. * get_quadrature().point(q)[0] - 1., c);
+      AssertThrow(R.value > 0.,
+                  ExcMessage("Gait/Deforming sphere/Amplitude: the radius becomes negative. "
+                             "Reduce the amplitude."));
+      const double weight = get_quadrature().weight(q);
+      cubes += weight * R.value * R.value * R.value;
+      for (unsigned int i = 0; i < 2; ++i)
+        derivatives[i] += weight * 3. * R.value * R.value * R.derivatives[i];
+    }
+    const double scale = radius / std::cbrt(cubes);
+    return {scale,
+            {-scale * derivatives[0] / (3. * cubes), -scale * derivatives[1] / (3. * cubes)}};
+  }
+
+  PulsatingSphere::Radius PulsatingSphere::get_radius(const double mu, const std::vector<double> &c,
+                                                      const Radius &scale) const
+  {
+    const Radius raw = get_raw_radius(mu, c);
+    Radius       result;
+    result.value = scale.value * raw.value;
+    for (unsigned int i = 0; i < 2; ++i)
+      result.derivatives[i] = scale.value * raw.derivatives[i] + scale.derivatives[i] * raw.value;
+    return result;
+  }
+
+  SurfaceMotion PulsatingSphere::place(const std::vector<double> &c) const
+  {
+    const Radius  scale = get_scale(c);
+    SurfaceMotion motion;
+    motion.modes.resize(2);
+    for (const Point<3> &direction : directions)
+    {
+      const Radius R = get_radius(direction[0], c, scale);
+      motion.positions.push_back(R.value * direction);
+      motion.rest.push_back(radius * direction);
+      for (unsigned int i = 0; i < 2; ++i)
+        motion.modes[i].push_back(R.derivatives[i] * direction);
+    }
+    return motion;
+  }
+
+  FullMatrix<double> PulsatingSphere::compute_body_mass(const std::vector<double> &c) const
+  {
+    const double volume = 4. / 3. * numbers::PI * radius * radius * radius;
+    const Radius scale  = get_scale(c);
+
+    // Centre of the volume along e_1, and the moments int x^2 dV, int y^2 dV = int z^2 dV.
+    double centre = 0., centre_by_mode[2] = {0., 0.}, along = 0., across = 0.;
+    for (unsigned int q = 0; q < get_quadrature().size(); ++q)
+    {
+      const double mu      = 2. * get_quadrature().point(q)[0] - 1.;
+      const double element = 4. * numbers::PI * get_quadrature().weight(q);
+      const Radius R       = get_radius(mu, c, scale);
+      const double cube = std::pow(R.value, 3), fifth = std::pow(R.value, 5) / 5.;
+      centre += element * mu * cube * R.value / 4. / volume;
+      for (unsigned int i = 0; i < 2; ++i)
+        centre_by_mode[i] += element * mu * cube * R.derivatives[i] / volume;
+      along += element * mu * mu * fifth;
+      across += element * (1. - mu * mu) / 2. * fifth;
+    }
+
+    FullMatrix<double> mass(8, 8);
+    mass(0, 0) = 2. * across;
+    mass(1, 1) = mass(2, 2) = along + across;
+    for (unsigned int d = 3; d < 6; ++d)
+      mass(d, d) = volume;
+    // Velocity of the centre: omega x (centre e_1).
+    mass(1, 5) = mass(5, 1) = -volume * centre;
+    mass(2, 4) = mass(4, 2) = volume * centre;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      mass(3, 6 + i) = mass(6 + i, 3) = volume * centre_by_mode[i];
+      for (unsigned int j = 0; j < 2; ++j)
+        mass(6 + i, 6 + j) = volume * centre_by_mode[i] * centre_by_mode[j];
+    }
+    return mass;
+  }
+} // namespace caudal::ideal

@@ -1,0 +1,254 @@
+#include <caudal/ideal/stroke_model.h>
+
+namespace caudal::ideal
+{
+  namespace
+  {
+    /** From b to the solution x of A x = b by Cholesky's factors; false if there are none. */
+    bool solve_positive_definite(Tensor<2, 6> A, Screw &x)
+    {
+      for (unsigned int i = 0; i < 6; ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+        {
+          for (unsigned int k = 0; k < j; ++k)
+            A[i][j] -= A[i][k] * A[j][k];
+          A[i][j] /= A[j][j];
+          A[i][i] -= A[i][j] * A[i][j];
+          x[i] -= A[i][j] * x[j];
+        }
+        if (!(A[i][i] > 0.))
+          return false;
+        A[i][i] = std::sqrt(A[i][i]);
+        x[i] /= A[i][i];
+      }
+      for (unsigned int i = 6; i-- > 0;)
+      {
+        for (unsigned int k = i + 1; k < 6; ++k)
+          x[i] -= A[k][i] * x[k];
+        x[i] /= A[i][i];
+      }
+      return true;
+    }
+
+    class BruteForce : public StrokeModel
+    {
+    public:
+      BruteForce(SwimmingShape &shape, const double increment)
+          : shape(shape)
+          , increment(increment)
+      {}
+
+      MotionCoefficients compute_motion(const double argument) override
+      {
+        return get(argument).state.motion;
+      }
+
+      StrokeState compute_state(const double argument) override
+      {
+        return get(argument).state;
+      }
+
+      std::vector<double> compute_torques(const double argument, const Drive &drive) override
+      {
+        const std::vector<double> before = get(argument - increment).state.torques.momenta;
+        std::vector<double>       rates  = get(argument + increment).state.torques.momenta;
+        for (std::size_t k = 0; k < rates.size(); ++k)
+          rates[k] = (rates[k] - before[k]) / (2. * increment);
+        const StrokeState &at = get(argument).state;
+        return compute_lagrange_torques(at.torques, rates, at.rates.size(), drive);
+      }
+
+      Tensor<1, 3> compute_centre_rate(const double argument) override
+      {
+        const Tensor<1, 3> before = get(argument - increment).state.centre;
+        return (get(argument + increment).state.centre - before) / (2. * increment);
+      }
+
+      FullMatrix<double> compute_potentials(const double argument) override
+      {
+        return get(argument).potentials;
+      }
+
+    private:
+      struct Entry
+      {
+        double             argument;
+        StrokeState        state;
+        FullMatrix<double> potentials;
+      };
+
+      /** Computes it, unless it is one of the last few. */
+      const Entry &get(const double argument)
+      {
+        for (const auto &entry : entries)
+          if (entry->argument == argument)
+            return *entry;
+        auto entry      = std::make_unique<Entry>();
+        entry->argument = argument;
+        entry->state    = shape.compute_state(argument, &entry->potentials);
+        if (entries.size() > 8)
+          entries.erase(entries.begin());
+        entries.push_back(std::move(entry));
+        return *entries.back();
+      }
+
+      SwimmingShape                      &shape;
+      const double                        increment;
+      std::vector<std::unique_ptr<Entry>> entries;
+    };
+  } // namespace
+
+  Screw MotionCoefficients::compute_velocity(const Screw &impulse, const double rate) const
+  {
+    Screw result = impulse - rate * momentum;
+    AssertThrow(solve_positive_definite(mass, result),
+                ExcMessage("The mass matrix of body and fluid is not positive definite: the body's "
+                           "surface intersects itself, or is too coarse. Reduce the deformation, "
+                           "or refine section Surface."));
+    return result;
+  }
+
+  std::vector<double> compute_lagrange_torques(const TorqueCoefficients  &coefficients,
+                                               const std::vector<double> &momentum_rates,
+                                               const unsigned int n_modes, const Drive &drive)
+  {
+    std::vector<double> torques(n_modes, 0.);
+    const unsigned int  n = n_modes > 0 ? momentum_rates.size() / n_modes : 0;
+    auto momentum = coefficients.momenta.begin(), gradient = coefficients.energy_gradient.begin();
+    auto momentum_rate = momentum_rates.begin();
+    for (double &torque : torques)
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        torque +=
+            *momentum_rate++ * drive.rate * drive.get(a) + *momentum++ * drive.get_derivative(a);
+        for (unsigned int b = a; b < n; ++b)
+          torque -= *gradient++ * drive.get(a) * drive.get(b);
+      }
+    return torques;
+  }
+
+  double StrokeState::compute_energy_from_rest() const
+  {
+    return deformation_energy + 0.5 * (motion.momentum * motion.compute_velocity(Screw(), 1.));
+  }
+
+  SwimmingShape::SwimmingShape(const Surface &surface, const Deformation &deformation,
+                               const Gait &gait, const Densities &densities, const Torques torques,
+                               const MPI_Comm communicator)
+      : surface(surface)
+      , deformation(deformation)
+      , gait(gait)
+      , densities(densities)
+      , torques(torques)
+      , boundary_elements(surface, communicator)
+  {}
+
+  StrokeState SwimmingShape::compute_state(const double argument, FullMatrix<double> *potentials)
+  {
+    const GaitState    at = gait.evaluate(argument);
+    const unsigned int n  = deformation.n_modes();
+    StrokeState        state;
+    state.rates                   = at.rates;
+    const auto               flow = boundary_elements.solve(deformation.place(at.c));
+    const FullMatrix<double> body = deformation.compute_body_mass(at.c);
+    FullMatrix<double>       mass = flow->get_potentials().added_mass;
+    mass *= densities.fluid;
+    mass.add(densities.body, body);
+    if (potentials != nullptr)
+      *potentials = flow->get_potentials().values;
+    for (unsigned int i = 0; i < 6; ++i)
+    {
+      for (unsigned int j = 0; j < 6; ++j)
+        state.motion.mass[i][j] = mass(i, j);
+      for (unsigned int j = 0; j < n; ++j)
+        state.motion.momentum[i] += mass(i, 6 + j) * at.rates[j];
+    }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        state.deformation_energy += 0.5 * at.rates[i] * mass(6 + i, 6 + j) * at.rates[j];
+
+    // The block between rotation and translation of the body's own mass is m c^.
+    state.centre = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
+
+    state.torques = compute_torque_coefficients(*flow, mass, at, state.motion);
+    return state;
+  }
+
+  /** (1/2) u^T (dM/dc_i) u */
+  std::vector<double> SwimmingShape::compute_energy_gradient(ExteriorFlow              &flow,
+                                                             const std::vector<double> &c,
+                                                             const Vector<double>      &u) const
+  {
+    const std::vector<double> motion(u.begin(), u.end()), rates(u.begin() + 6, u.end());
+    const std::vector<double> of_fluid =
+        flow.compute_energy_gradient(motion, deformation.compute_mode_rates(c, rates));
+    std::vector<double> gradient = deformation.compute_body_energy_gradient(c, motion);
+    for (std::size_t i = 0; i < gradient.size(); ++i)
+      gradient[i] = densities.fluid * of_fluid[i] + densities.body * gradient[i];
+    return gradient;
+  }
+
+  TorqueCoefficients SwimmingShape::compute_torque_coefficients(ExteriorFlow             &flow,
+                                                                const FullMatrix<double> &mass,
+                                                                const GaitState          &at,
+                                                                const MotionCoefficients &rigid)
+  {
+    const unsigned int          n_modes = deformation.n_modes(), n = n_drives();
+    const unsigned int          n_pairs = n * (n + 1) / 2;
+    TorqueCoefficients          result{std::vector<double>(n_modes * n),
+                              std::vector<double>(n_modes * n_pairs, 0.)};
+    std::vector<Vector<double>> motions;
+    std::vector<double>         sizes;
+    for (unsigned int a = 0; a < n; ++a)
+    {
+      Screw impulse;
+      if (a > 0)
+        impulse[a - 1] = 1.;
+      const Screw    q = rigid.compute_velocity(impulse, a > 0 ? 0. : 1.);
+      Vector<double> u(6 + n_modes), momenta(6 + n_modes);
+      for (unsigned int i = 0; i < 6; ++i)
+        u(i) = q[i];
+      for (unsigned int i = 0; i < n_modes && a == 0; ++i)
+        u(6 + i) = at.rates[i];
+      mass.vmult(momenta, u);
+      for (unsigned int i = 0; i < n_modes; ++i)
+        result.momenta[i * n + a] = momenta(6 + i);
+      // Motions of unit impulses are scaled to unit energy, against rounding in what follows.
+      sizes.push_back(a > 0 ? std::sqrt(u * momenta) : 1.);
+      u /= sizes.back();
+      motions.push_back(u);
+    }
+    if (torques == Torques::none || n_modes == 0)
+      return result;
+
+    // What a sum of two motions has beyond its parts belongs to the pair.
+    std::vector<std::vector<double>> alone;
+    for (const Vector<double> &u : motions)
+      alone.push_back(compute_energy_gradient(flow, at.c, u));
+    unsigned int pair = 0;
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = a; b < n; ++b, ++pair)
+      {
+        if (!flow.interact(motions[a], motions[b]))
+          continue;
+        std::vector<double> gradient = alone[a];
+        if (a != b)
+        {
+          Vector<double> both = motions[a];
+          both += motions[b];
+          gradient = compute_energy_gradient(flow, at.c, both);
+          for (unsigned int i = 0; i < n_modes; ++i)
+            gradient[i] -= alone[a][i] + alone[b][i];
+        }
+        for (unsigned int i = 0; i < n_modes; ++i)
+          result.energy_gradient[i * n_pairs + pair] = gradient[i] * sizes[a] * sizes[b];
+      }
+    return result;
+  }
+
+  std::unique_ptr<StrokeModel> create_brute_force(SwimmingShape &shape, const double increment)
+  {
+    return std::make_unique<BruteForce>(shape, increment);
+  }
+} // namespace caudal::ideal

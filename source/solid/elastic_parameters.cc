@@ -1,0 +1,89 @@
+#include <caudal/solid/elastic_parameters.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  template <int dim>
+  ElasticParameters<dim>::ElasticParameters(const ParameterFile *file)
+  {
+    body_name = file ? file->get("Bodies", "") : "<name>";
+    AssertThrow(Utilities::split_string_list(body_name).size() == 1,
+                ExcMessage("Bodies: there are none or several in <" + body_name +
+                           ">. The elastic model has one body; name it."));
+    solid = std::make_unique<SolidParameters<dim>>(
+        body_name, Utilities::split_string_list(
+                       file ? file->get("Body " + body_name + "/Regions", "body") : "<region>"));
+  }
+
+  template <int dim>
+  void ElasticParameters<dim>::declare(ParameterHandler &prm)
+  {
+    prm.add_parameter("Model", model,
+                      "The model: elastic, a body without fluid (the others, immersed and "
+                      "potential, have other parameters).",
+                      Patterns::Selection("elastic"));
+    prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
+                      Patterns::Integer(2, 3));
+    prm.add_parameter("Bodies", body_name,
+                      "The name of the body, which has a section `Body <name>`.",
+                      Patterns::Anything());
+    prm.add_parameter("Gravity", gravity, "Acceleration of gravity g [m/s^2].");
+    prm.enter_subsection("Time");
+    prm.add_parameter("Static", is_static,
+                      "Look for the equilibrium. The weight grows from step to step, up to the "
+                      "whole at the end time.");
+    prm.add_parameter("End time", end_time, "Simulated time [s].");
+    prm.add_parameter("Step", step, "Size of the time step [s].");
+    prm.leave_subsection();
+    prm.enter_subsection(solid->get_path());
+    prm.declare_entry("Regions", "body", Patterns::Anything(),
+                      "Names of the body's regions, separated by commas; each has a section "
+                      "`Region <name>`.");
+    solid->add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.add_parameter("Folder", output.folder, "Folder of the results, which are statistics.txt.");
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void ElasticParameters<dim>::check() const
+  {
+    for (const auto &[entry, value] : {std::make_pair("End time", end_time), {"Step", step}})
+      AssertThrow(std::isfinite(value) && value > 0,
+                  ExcMessage(std::string("Time/") + entry + ": the value is " +
+                             std::to_string(value) + " s. Give a positive number."));
+    solid->check();
+    AssertThrow(solid->density > 0,
+                ExcMessage(solid->get_path() + "/Density: the value is " +
+                           std::to_string(solid->density) +
+                           " kg/m^3, but there is no fluid to take it from. Give a positive one."));
+    AssertThrow(solid->traction.empty(),
+                ExcMessage(solid->get_path() + "/Traction: the elastic model knows no load but "
+                                               "Gravity. Leave it empty."));
+    for (unsigned int r = 0; r < solid->regions.size(); ++r)
+    {
+      const std::string path = solid->get_path() + "/Region " + solid->regions[r];
+      AssertThrow(solid->region_parameters[r]->material.thin_direction == "none",
+                  ExcMessage(path + "/Thin direction: the elastic model has no fluid whose "
+                                    "pressure takes the stress that this leaves out. Give none."));
+      const MaterialParameters &material = solid->region_parameters[r]->material;
+      AssertThrow(material.material == "St. Venant-Kirchhoff" || material.material == "none" ||
+                      material.volumetric_stabilisation > 0 ||
+                      solid->region_parameters[r]->cell_volume_stabilisation > 0,
+                  ExcMessage(path + "/Material: <" + material.material +
+                             "> leaves the volume to the fluid's pressure, and there is no fluid. "
+                             "Give St. Venant-Kirchhoff, or a Volumetric stabilisation."));
+      AssertThrow(solid->region_parameters[r]->feedback_stiffness == 0 &&
+                      solid->region_parameters[r]->feedback_damping == 0,
+                  ExcMessage(path +
+                             "/Feedback stiffness, Feedback damping: the elastic model has no "
+                             "feedback forces. Leave them at 0; Motion = fixed holds a region."));
+    }
+    output.check();
+  }
+
+  template struct ElasticParameters<2>;
+  template struct ElasticParameters<3>;
+} // namespace caudal

@@ -1,0 +1,37 @@
+#include <caudal/viscous/body_unknowns.h>
+
+#include <algorithm>
+
+namespace caudal
+{
+  BodyVector::BodyVector(MPI_Comm communicator, const unsigned int size)
+      : communicator(communicator)
+      , values(size)
+  {}
+
+  void BodyVector::receive(const FieldVector &source)
+  {
+    std::copy(source.begin(), source.begin() + source.locally_owned_size(), values.begin());
+    MPI_Bcast(values.data(), values.size(), MPI_DOUBLE, 0, communicator);
+  }
+
+  void BodyVector::send(FieldVector &target) const
+  {
+    std::copy(values.begin(), values.begin() + target.locally_owned_size(), target.begin());
+  }
+
+  Vector<double> BodyVector::extract(const Places &places) const
+  {
+    Vector<double> part(places.size);
+    for (unsigned int i = 0; i < places.size; ++i)
+      part[i] = values[places[i]];
+    return part;
+  }
+
+  void BodyVector::insert(const Vector<double> &part, const Places &places)
+  {
+    AssertDimension(part.size(), places.size);
+    for (unsigned int i = 0; i < places.size; ++i)
+      values[places[i]] = part[i];
+  }
+} // namespace caudal

@@ -1,0 +1,105 @@
+#include <caudal/viscous/parameters.h>
+
+#include <set>
+
+namespace caudal
+{
+  namespace
+  {
+    /** The names of a comma-separated list; throws on doubles. */
+    std::vector<std::string> split_names(const std::string &path, const std::string &text)
+    {
+      const std::vector<std::string> names = Utilities::split_string_list(text);
+      AssertThrow(std::set<std::string>(names.begin(), names.end()).size() == names.size(),
+                  ExcMessage(path + ": a name stands twice in <" + text + ">. Give each its own."));
+      return names;
+    }
+  } // namespace
+
+  template <int dim>
+  RunParameters<dim>::RunParameters(const ParameterFile *file)
+  {
+    const std::vector<std::string> names =
+        file ? split_names("Bodies", file->get("Bodies", "")) : std::vector<std::string>{"<name>"};
+    for (const std::string &name : names)
+    {
+      const std::string              entry   = "Body " + name + "/Regions";
+      const std::vector<std::string> regions = file ? split_names(entry, file->get(entry, "body"))
+                                                    : std::vector<std::string>{"<region>"};
+      AssertThrow(!regions.empty(),
+                  ExcMessage(entry + ": the list is empty. Give at least one name."));
+      bodies.push_back(std::make_unique<SwimmingBodyParameters<dim>>(name, regions));
+    }
+  }
+
+  template <int dim>
+  void RunParameters<dim>::declare(ParameterHandler &prm)
+  {
+    prm.add_parameter("Model", model,
+                      "The model: immersed, the elastic swimmer in a viscous fluid (the others, "
+                      "potential and elastic, have other parameters).",
+                      Patterns::Selection("immersed"));
+    prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
+                      Patterns::Integer(2, 3));
+    prm.add_parameter("Bodies", bodies_text,
+                      "Names of the bodies, separated by commas; each has a section `Body <name>`. "
+                      "None: only the fluid.",
+                      Patterns::Anything());
+    time.add_parameters(prm);
+    domain.add_parameters(prm);
+    fluid.add_parameters(prm);
+    for (const auto &body : bodies)
+    {
+      prm.enter_subsection(body->solid.get_path());
+      body->add_parameters(prm);
+      prm.leave_subsection();
+    }
+    coupling.add_parameters(prm);
+    refinement.add_parameters(prm);
+    solver.add_parameters(prm);
+    output.add_parameters(prm);
+    checkpoint.add_parameters(prm);
+    guards.add_parameters(prm);
+  }
+
+  template <int dim>
+  void RunParameters<dim>::check() const
+  {
+    time.check();
+    domain.check();
+    fluid.check();
+    for (const auto &body : bodies)
+    {
+      // Its files would be those of the flow.
+      AssertThrow(body->solid.get_path() != "Body fluid",
+                  ExcMessage("Bodies: a body can't be called fluid. Give it another name."));
+      body->check(time.is_explicit());
+    }
+    coupling.check();
+    refinement.check(domain.levels);
+    solver.check();
+    output.check();
+    checkpoint.check();
+    guards.check();
+  }
+
+  std::string get_model(const ParameterFile &file)
+  {
+    const std::string model = file.get("Model", "immersed");
+    AssertThrow(
+        model == "immersed" || model == "potential" || model == "elastic",
+        ExcMessage("Model: the value is <" + model + ">. Give immersed, potential or elastic."));
+    return model;
+  }
+
+  unsigned int get_dimension(const ParameterFile &file)
+  {
+    const std::string text = file.get("Dimension", "2");
+    AssertThrow(text == "2" || text == "3",
+                ExcMessage("Dimension: the value is <" + text + ">. Give 2 or 3."));
+    return text == "2" ? 2 : 3;
+  }
+
+  template struct RunParameters<2>;
+  template struct RunParameters<3>;
+} // namespace caudal

@@ -1,0 +1,246 @@
+// The straight and the bent body: profiles do not overshoot and are smooth; modes are the
+// derivatives of positions; a bend keeps the volume and the body's mass matrix is that of the
+// moving matter; symmetries of the gaits; the deforming sphere keeps its volume; splines.
+
+#include <caudal/ideal/bending_body.h>
+#include <caudal/ideal/boundary_elements.h>
+#include <caudal/ideal/cubic_spline.h>
+#include <caudal/ideal/gait.h>
+#include <caudal/ideal/profile.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+using namespace caudal::ideal;
+
+std::string below(const double value, const double limit)
+{
+  return value < limit ? "ok" : "bad (" + Patterns::Tools::to_string(value) + ")";
+}
+
+const std::string salmon =
+    "0.0714, 2.5e-3, 3.5e-3; 0.2143, 5e-3, 9e-3; 0.3571, 6e-3, 11e-3; 0.5, 5e-3, 9.5e-3; "
+    "0.6429, 3.2e-3, 6.5e-3; 0.7857, 1.7e-3, 3.5e-3; 0.9286, 1e-3, 10e-3";
+
+void check_profiles()
+{
+  const std::vector<double> x = {0, 1, 1.3, 4, 4.2, 5}, y = {0, 5, 5.1, -3, -3, 7};
+  const Profile             profile(x, y, true);
+  double                    overshoot = 0., jump = 0., miss = 0.;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    for (double t = 0.; t <= 1.; t += 0.01)
+    {
+      const double value = profile.value(x[i] + t * (x[i + 1] - x[i]));
+      overshoot =
+          std::max({overshoot, value - std::max(y[i], y[i + 1]), std::min(y[i], y[i + 1]) - value});
+    }
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    const double h      = 1e-3;
+    const auto   second = [&](const double at) {
+      return (profile.value(at + h) - 2. * profile.value(at) + profile.value(at - h)) / (h * h);
+    };
+    miss = std::max(miss, std::abs(profile.value(x[i]) - y[i]));
+    jump = std::max(jump, std::abs(second(x[i] + 2. * h) - second(x[i] - 2. * h)));
+  }
+  std::cout << "profile: points " << below(miss, 1e-12) << ", no overshoot "
+            << below(overshoot, 1e-12) << ", second derivative continuous " << below(jump, 20.)
+            << std::endl;
+
+  std::vector<double> angles, sines;
+  for (unsigned int i = 0; i <= 40; ++i)
+  {
+    angles.push_back(2. * numbers::PI * i / 40.);
+    sines.push_back(std::sin(angles.back()));
+  }
+  sines.back() = sines.front();
+  const CubicSpline periodic(angles, sines, true);
+  const auto [value, rate] = periodic.evaluate(13.);
+  std::cout << "spline of a sine: " << below(std::abs(value - std::sin(13.)), 1e-5) << ", its rate "
+            << below(std::abs(rate - std::cos(13.)), 1e-4) << std::endl;
+}
+
+// Half-widths of the paper's fish one: both interpolations go through the stations; `spline` is
+// the natural cubic spline of ln(a/E) and overshoots, `limited` stays between its neighbours.
+void check_interpolation()
+{
+  const std::vector<double> s = {0.03, 0.35, 0.8, 0.93, 0.99},
+                            a = {0.4e-3, 10e-3, 1.7e-3, 1e-3, 0.4e-3};
+  ShapeParameters     parameters;
+  const Surface       surface({1, 1, ""});
+  const auto          round = [](const double x) { return 2. * std::sqrt(x * (1. - x)); };
+  std::vector<double> logarithms;
+  for (unsigned int i = 0; i < s.size(); ++i)
+  {
+    parameters.stations += (i > 0 ? "; " : "") + Patterns::Tools::to_string(s[i]) + ", " +
+                           Patterns::Tools::to_string(a[i]) + ", 1e-3";
+    logarithms.push_back(std::log(a[i] / round(s[i])));
+  }
+  const CubicSpline spline(s, logarithms, false);
+  for (const std::string type : {"spline", "limited"})
+  {
+    parameters.interpolation = type;
+    const auto shape         = create_shape(parameters, surface);
+    double     miss = 0., overshoot = 0., from_spline = 0.;
+    for (unsigned int i = 0; i < s.size(); ++i)
+    {
+      const double length = parameters.length;
+      miss                = std::max(miss, std::abs(shape->half_width(s[i] * length) / a[i] - 1.));
+      for (double t = 0.; i + 1 < s.size() && t <= 1.; t += 0.01)
+      {
+        const double x         = s[i] + t * (s[i + 1] - s[i]);
+        const double value     = std::log(shape->half_width(x * length) / round(x));
+        const auto [low, high] = std::minmax(logarithms[i], logarithms[i + 1]);
+        overshoot              = std::max({overshoot, value - high, low - value});
+        from_spline            = std::max(from_spline, std::abs(value - spline.evaluate(x).first));
+      }
+    }
+    std::cout << "stations, " << type << ": passed through " << below(miss, 1e-12)
+              << ", between its neighbours " << (overshoot < 1e-12 ? "yes" : "no")
+              << ", natural spline " << (from_spline < 1e-12 ? "yes" : "no") << std::endl;
+  }
+}
+
+// The body's kinetic energy for given rates of all motions, by sampling points inside. They
+// are moved by differences of the positions of the section that they belong to.
+void check_body(const std::string &name, const GaitParameters &gait_parameters,
+                const ShapeParameters &shape_parameters)
+{
+  const Surface   surface({12, 8, ""});
+  const auto      shape       = create_shape(shape_parameters, surface);
+  const auto      gait        = create_gait(gait_parameters);
+  const auto      deformation = gait->create_deformation(surface, *shape);
+  const GaitState at          = gait->evaluate(0.7);
+
+  double mode_error = 0.;
+  for (unsigned int i = 0; i < at.c.size(); ++i)
+  {
+    const double step  = 1e-5;
+    auto         above = at.c, under = at.c;
+    above[i] += step;
+    under[i] -= step;
+    const SurfaceMotion motion = deformation->place(at.c), up = deformation->place(above),
+                        down = deformation->place(under);
+    for (unsigned int node = 0; node < surface.n_nodes(); ++node)
+      mode_error = std::max(mode_error, (motion.modes[i][node] -
+                                         (up.positions[node] - down.positions[node]) / (2. * step))
+                                            .norm());
+  }
+  const double length     = deformation->get_length();
+  double       rate_error = 0.;
+  for (std::size_t i = 0; i < at.c.size(); ++i)
+    rate_error = std::max(
+        rate_error, std::abs(at.rates[i] -
+                             (gait->evaluate(0.70001).c[i] - gait->evaluate(0.69999).c[i]) / 2e-5));
+
+  BoundaryElements         elements(surface, MPI_COMM_SELF);
+  const FullMatrix<double> bent = deformation->compute_body_mass(at.c);
+  const double             straight =
+      deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
+  const double volume = elements.compute_potentials(deformation->place(at.c)).volume;
+  std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
+            << below(rate_error, 1e-8) << ", volume of the body "
+            << below(std::abs(bent(3, 3) / straight - 1.), 1e-7) << ", of its surface "
+            << below(std::abs(volume / straight - 1.), 5e-4) << ", bend "
+            << (deformation->compute_bend(at.c) < 1. ? "ok" : "bad") << ", reciprocal "
+            << is_reciprocal(*gait) << ", glide symmetry " << has_glide_symmetry(*gait)
+            << std::endl;
+}
+
+// Against the moments of an ellipsoid about its nose.
+void check_ellipsoid()
+{
+  ShapeParameters parameters;
+  parameters.type = "ellipsoid";
+  parameters.axes = {3., 2., 1.};
+  GaitParameters rigid;
+  rigid.type = "none";
+  const Surface            surface({2, 2, ""});
+  const auto               shape = create_shape(parameters, surface);
+  const FullMatrix<double> mass =
+      create_gait(rigid)->create_deformation(surface, *shape)->compute_body_mass({});
+  const double volume = 4. / 3. * numbers::PI * 6.;
+  std::cout << "ellipsoid: volume " << below(std::abs(mass(3, 3) / volume - 1.), 1e-8)
+            << ", moments about the nose "
+            << below(std::abs(mass(0, 0) / volume - (4. + 1.) / 5.), 1e-7) << ' '
+            << below(std::abs(mass(1, 1) / volume - (9. + 1.) / 5. - 9.), 1e-6) << ' '
+            << below(std::abs(mass(2, 2) / volume - (9. + 4.) / 5. - 9.), 1e-6) << ", first moment "
+            << below(std::abs(mass(2, 4) / volume - 3.), 1e-7) << std::endl;
+}
+
+// A cube of flat quadrilaterals as a surface file.
+void check_file()
+{
+  std::ofstream("cube.ucd") << "8 6 0 0 0\n"
+                               "1 2 -1 -1\n2 4 -1 -1\n3 4 1 -1\n4 2 1 -1\n"
+                               "5 2 -1 1\n6 4 -1 1\n7 4 1 1\n8 2 1 1\n"
+                               "1 0 quad 1 4 3 2\n2 0 quad 5 6 7 8\n3 0 quad 1 2 6 5\n"
+                               "4 0 quad 3 4 8 7\n5 0 quad 1 5 8 4\n6 0 quad 2 3 7 6\n";
+  const Surface   surface({1, 1, "cube.ucd"});
+  ShapeParameters parameters;
+  parameters.type      = "file";
+  const auto     shape = create_shape(parameters, surface);
+  GaitParameters rigid;
+  rigid.type      = "none";
+  const auto body = create_gait(rigid)->create_deformation(surface, *shape);
+  const auto mass = body->compute_body_mass({});
+  std::cout << "cube from a file: length " << shape->get_length() << ", volume "
+            << below(std::abs(mass(3, 3) - 8.), 1e-12) << ", moments about the nose "
+            << below(std::abs(mass(0, 0) - 8. * 2. / 3.), 1e-12) << ' '
+            << below(std::abs(mass(2, 2) - 8. * (1. + 2. / 3.)), 1e-12) << ", added mass "
+            << std::lround(100. *
+                           BoundaryElements(surface, MPI_COMM_SELF)
+                               .compute_potentials(body->place({}))
+                               .added_mass(3, 3) /
+                           8.)
+            << " %" << std::endl;
+}
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_profiles();
+  check_interpolation();
+  check_ellipsoid();
+  check_file();
+
+  ShapeParameters fish;
+  fish.stations = salmon;
+  GaitParameters gait;
+  check_body("arctangent", gait, fish);
+  gait.wave_number = 0.;
+  check_body("without lag", gait, fish);
+  gait.wave_number = 1.;
+  gait.bias        = 5.;
+  check_body("biased", gait, fish);
+  gait.bias   = 0.;
+  gait.type   = "sine";
+  gait.growth = 0.7;
+  check_body("sine", gait, fish);
+  gait.type      = "curvature";
+  gait.curvature = 3.;
+  check_body("curvature", gait, fish);
+  gait.wave_number = 0.;
+  check_body("curvature without lag", gait, fish);
+
+  std::ofstream table("table.csv");
+  table << "time,a,b,c,d,e,f\n";
+  for (unsigned int k = 0; k <= 24; ++k)
+  {
+    table << k / 12.;
+    for (unsigned int i = 0; i < 6; ++i)
+      table << "," << 20. * std::sin(2. * numbers::PI * (k % 24) / 24. - i);
+    table << "\n";
+  }
+  table.close();
+  gait.type  = "table";
+  gait.table = "table.csv";
+  check_body("table", gait, fish);
+  std::cout << "  frequency " << create_gait(gait)->get_frequencies()[0] << " Hz" << std::endl;
+
+  fish.type = "ellipsoid";
+  fish.axes = {0.1, 0.1, 0.1};
+  gait.type = "deforming sphere";
+  check_body("deforming sphere", gait, fish);
+}
