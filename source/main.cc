@@ -114,9 +114,12 @@ namespace
                 ExcMessage("Model: runs of the model " + parameters.model +
                            " write no checkpoints. Start the run anew."));
     ParameterHandler prm;
+    FigureParameters figures;
     parameters.declare(prm);
+    figures.add_parameters(prm);
     file.parse(prm);
     parameters.check();
+    figures.check();
 
     // What can be wrong with the case is found before anything is written.
     ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
@@ -132,10 +135,15 @@ namespace
     prm.print_parameters(used_parameters, ParameterHandler::PRM);
     folder.write_parameters(used_parameters.str());
     Log log(folder.path("log.txt"), MPI_COMM_WORLD);
+    if (figures.are_printed())
+      log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
-    return get_exit(body.run(folder, log, stop_requested));
+    const Outcome outcome = body.run(folder, log, stop_requested);
+    if (outcome == Outcome::finished)
+      print_figures(figures, parameters.output.folder, MPI_COMM_WORLD);
+    return get_exit(outcome);
   }
 
   /** The parameters of the run in a folder of results, with overrides. */
@@ -156,6 +164,7 @@ namespace
   {
     ParameterHandler prm;
     parameters.declare(prm);
+    FigureParameters().add_parameters(prm);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       print_parameters(std::cout, prm, format);
     return finished;
