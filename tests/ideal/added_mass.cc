@@ -30,7 +30,7 @@ Potentials compute(const Surface &surface, const Ellipsoid &ellipsoid, const Poi
     for (unsigned int d = 0; d < 3; ++d)
       motion.positions.back()[d] += ellipsoid.axes[d] * reference[d];
   }
-  return BoundaryElements(surface, MPI_COMM_WORLD).compute_potentials(motion);
+  return BoundaryElements(surface, MPI_COMM_WORLD).solve(motion).get_potentials();
 }
 
 double get_volume(const Ellipsoid &e)

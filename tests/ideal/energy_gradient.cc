@@ -73,9 +73,9 @@ void check(const std::string &name, const GaitParameters &gait_parameters,
       return moved;
     };
     const auto differences = differentiate(at.c, [&](const std::vector<double> &c) {
-      return 0.5 * elements.compute_potentials(place(c)).added_mass.matrix_norm_square(motion);
+      return 0.5 * elements.solve(place(c)).get_potentials().added_mass.matrix_norm_square(motion);
     });
-    const auto gradient    = elements.solve(place(at.c))->compute_energy_gradient(u, rates);
+    const auto gradient    = elements.solve(place(at.c)).compute_energy_gradient(u, rates);
     if (is_root)
       std::cout << name << (height > 0. ? ", moved" : "") << ": gradient of the fluid's energy "
                 << below(compare(gradient, differences), 1e-7) << std::endl;

@@ -138,7 +138,7 @@ void check_body(const std::string &name, const GaitParameters &gait_parameters,
   const FullMatrix<double> bent = deformation->compute_body_mass(at.c);
   const double             straight =
       deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
-  const double volume = elements.compute_potentials(deformation->place(at.c)).volume;
+  const double volume = elements.solve(deformation->place(at.c)).get_potentials().volume;
   std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
             << below(rate_error, 1e-8) << ", volume of the body "
             << below(std::abs(bent(3, 3) / straight - 1.), 1e-7) << ", of its surface "
@@ -191,7 +191,8 @@ void check_file()
             << below(std::abs(mass(2, 2) - 8. * (1. + 2. / 3.)), 1e-12) << ", added mass "
             << std::lround(100. *
                            BoundaryElements(surface, MPI_COMM_SELF)
-                               .compute_potentials(body->place({}))
+                               .solve(body->place({}))
+                               .get_potentials()
                                .added_mass(3, 3) /
                            8.)
             << " %" << std::endl;

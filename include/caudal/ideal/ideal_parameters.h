@@ -1,5 +1,5 @@
-#ifndef caudal_ideal_potential_parameters_h
-#define caudal_ideal_potential_parameters_h
+#ifndef caudal_ideal_ideal_parameters_h
+#define caudal_ideal_ideal_parameters_h
 
 #include <caudal/base/parameter_file.h>
 #include <caudal/ideal/gait.h>
@@ -30,7 +30,7 @@ namespace caudal
   };
 
   /** Section `Body`. */
-  struct PotentialBodyParameters
+  struct IdealBodyParameters
   {
     double              density         = 0.; // 0: that of the fluid
     std::vector<double> linear_impulse  = {0., 0., 0.};
@@ -57,7 +57,7 @@ namespace caudal
   };
 
   /** All parameters of a run of the swimmer in an ideal fluid. */
-  struct PotentialParameters
+  struct IdealParameters
   {
     /**
      * What body and motion are, and columns of the tables depend on: entries that can't change
@@ -73,16 +73,16 @@ namespace caudal
     ideal::ShapeParameters      shape;
     ideal::SurfaceParameters    surface;
     ideal::GaitParameters       gait;
-    PotentialBodyParameters     body;
+    IdealBodyParameters         body;
     IntegrationParameters       integration;
     ideal::ResistanceParameters resistance;
     OutputParameters            output;
     CheckpointParameters        checkpoint;
 
-    PotentialParameters() = default;
+    IdealParameters() = default;
 
     /** Its sections are the same for each file. */
-    explicit PotentialParameters(const ParameterFile *) {}
+    explicit IdealParameters(const ParameterFile *) {}
 
     void declare(ParameterHandler &prm);
     void check() const;

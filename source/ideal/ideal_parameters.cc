@@ -1,4 +1,4 @@
-#include <caudal/ideal/potential_parameters.h>
+#include <caudal/ideal/ideal_parameters.h>
 
 namespace caudal
 {
@@ -56,7 +56,7 @@ namespace caudal
     return times;
   }
 
-  void PotentialBodyParameters::add_parameters(ParameterHandler &prm)
+  void IdealBodyParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Body");
     prm.add_parameter("Density", density, "Uniform density [kg/m^3]; 0: that of the fluid.");
@@ -69,7 +69,7 @@ namespace caudal
     prm.leave_subsection();
   }
 
-  void PotentialBodyParameters::check() const
+  void IdealBodyParameters::check() const
   {
     check_value("Body/Density", density, density >= 0.,
                 "a positive density [kg/m^3], or 0 for that of the fluid");
@@ -79,21 +79,16 @@ namespace caudal
       check_value("Body/Angular impulse", component, true, "finite numbers");
   }
 
-  bool PotentialBodyParameters::is_from_rest() const
+  bool IdealBodyParameters::is_from_rest() const
   {
     const std::vector<double> zero(3, 0.);
     return linear_impulse == zero && angular_impulse == zero;
   }
 
-  ideal::Screw PotentialBodyParameters::get_impulse() const
+  ideal::Screw IdealBodyParameters::get_impulse() const
   {
-    ideal::Screw impulse;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      impulse[d]     = angular_impulse[d];
-      impulse[3 + d] = linear_impulse[d];
-    }
-    return impulse;
+    const std::vector<double> &L = angular_impulse, &P = linear_impulse;
+    return ideal::Screw({L[0], L[1], L[2], P[0], P[1], P[2]});
   }
 
   void IntegrationParameters::add_parameters(ParameterHandler &prm)
@@ -124,7 +119,7 @@ namespace caudal
                 "a number from 1e-14 to 1e-2");
   }
 
-  void PotentialParameters::declare(ParameterHandler &prm)
+  void IdealParameters::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
                       "The model: potential, a body of prescribed deformation in an ideal fluid "
@@ -144,7 +139,7 @@ namespace caudal
     checkpoint.add_parameters(prm);
   }
 
-  void PotentialParameters::check() const
+  void IdealParameters::check() const
   {
     time.check();
     shape.check();
@@ -158,7 +153,7 @@ namespace caudal
     checkpoint.check();
   }
 
-  ideal::Densities PotentialParameters::get_densities() const
+  ideal::Densities IdealParameters::get_densities() const
   {
     return {fluid_density, body.density > 0. ? body.density : fluid_density};
   }
