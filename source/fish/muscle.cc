@@ -332,10 +332,10 @@ namespace caudal
       static constexpr auto tension_path   = "Muscle/Fibres/Tension";
       static constexpr auto direction_path = "Muscle/Fibres/Direction";
 
-      const FibreParameters                      parameters;
-      const StartUpRamp                          ramp;
-      const ActivePart                           part;
-      const std::unique_ptr<FunctionParser<dim>> tension, direction;
+      const FibreParameters                  parameters;
+      const StartUpRamp                      ramp;
+      const ActivePart                       part;
+      const std::unique_ptr<Expression<dim>> tension, direction;
     };
 
     template <int dim>

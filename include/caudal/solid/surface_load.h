@@ -1,9 +1,8 @@
 #ifndef caudal_solid_surface_load_h
 #define caudal_solid_surface_load_h
 
+#include <caudal/base/expression.h>
 #include <caudal/solid/solid_body.h>
-
-#include <deal.II/base/function_parser.h>
 
 #include <memory>
 
@@ -24,9 +23,8 @@ namespace caudal
     void add_to(Vector<double> &force, double time) const;
 
   private:
-    const SolidBody<dim>                &body;
-    std::unique_ptr<FunctionParser<dim>> traction; // null: none
-    const std::string                    path;
+    const SolidBody<dim>            &body;
+    std::unique_ptr<Expression<dim>> traction; // null: none
   };
 } // namespace caudal
 
