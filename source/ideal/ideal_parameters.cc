@@ -1,19 +1,8 @@
+#include <caudal/base/checks.h>
 #include <caudal/ideal/ideal_parameters.h>
 
 namespace caudal
 {
-  namespace
-  {
-    /** Throws a sentence unless the value is finite and @p ok. */
-    void check_value(const std::string &entry, const double value, const bool ok,
-                     const std::string &remedy)
-    {
-      AssertThrow(std::isfinite(value) && ok,
-                  ExcMessage(entry + ": the value is " + Patterns::Tools::to_string(value) +
-                             ". Give " + remedy + "."));
-    }
-  } // namespace
-
   void OutputSchedule::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
@@ -21,19 +10,19 @@ namespace caudal
     prm.add_parameter("Step", step,
                       "Time between two rows of output [s]. The motion itself is integrated as "
                       "finely as Integration/Tolerance asks.");
-    prm.add_parameter("First step", first_step, "The same in the first part [s].");
+    prm.add_parameter("First step", first_step, "Time between two rows in the first part [s].");
     prm.add_parameter("First part", first_part,
-                      "How long the first part is [s]; 1 s with steps of 0.001 s is the paper's "
-                      "dynamic start.");
+                      "How long the first part is [s]; 1 s with steps of 0.001 s is the dynamic "
+                      "start of Yao et al.");
     prm.leave_subsection();
   }
 
   void OutputSchedule::check() const
   {
-    check_value("Time/End time", end_time, end_time > 0., "a positive time [s]");
-    check_value("Time/Step", step, step > 0., "a positive time [s]");
-    check_value("Time/First step", first_step, first_step > 0., "a positive time [s]");
-    check_value("Time/First part", first_part, first_part >= 0., "a time, or 0 for none [s]");
+    check_positive("Time/End time", end_time, "Give a positive time [s].");
+    check_positive("Time/Step", step, "Give a positive time [s].");
+    check_positive("Time/First step", first_step, "Give a positive time [s].");
+    check_not_negative("Time/First part", first_part, "Give a time, or 0 for none [s].");
     const double n_rows = std::min(first_part, end_time) / first_step + end_time / step;
     AssertThrow(n_rows < 1e7,
                 ExcMessage("Time/Step: there would be " + Patterns::Tools::to_string(n_rows) +
@@ -64,19 +53,20 @@ namespace caudal
                       "Of body and fluid at the start, along x, y, z [kg m/s]; the motion of a "
                       "body at rest has none.",
                       Patterns::List(Patterns::Double(), 3, 3));
-    prm.add_parameter("Angular impulse", angular_impulse, "The same about the nose [kg m^2/s].",
+    prm.add_parameter("Angular impulse", angular_impulse,
+                      "Of body and fluid at the start, about the nose [kg m^2/s].",
                       Patterns::List(Patterns::Double(), 3, 3));
     prm.leave_subsection();
   }
 
   void IdealBodyParameters::check() const
   {
-    check_value("Body/Density", density, density >= 0.,
-                "a positive density [kg/m^3], or 0 for that of the fluid");
+    check_not_negative("Body/Density", density,
+                       "Give a positive density [kg/m^3], or 0 for that of the fluid.");
     for (const double component : linear_impulse)
-      check_value("Body/Linear impulse", component, true, "finite numbers");
+      check_finite("Body/Linear impulse", component, "Give finite numbers.");
     for (const double component : angular_impulse)
-      check_value("Body/Angular impulse", component, true, "finite numbers");
+      check_finite("Body/Angular impulse", component, "Give finite numbers.");
   }
 
   bool IdealBodyParameters::is_from_rest() const
@@ -115,8 +105,8 @@ namespace caudal
 
   void IntegrationParameters::check() const
   {
-    check_value("Integration/Tolerance", tolerance, tolerance >= 1e-14 && tolerance <= 1e-2,
-                "a number from 1e-14 to 1e-2");
+    check_between("Integration/Tolerance", tolerance, 1e-14, 1e-2,
+                  "Give a number from 1e-14 to 1e-2.");
   }
 
   void IdealParameters::declare(ParameterHandler &prm)
@@ -145,7 +135,7 @@ namespace caudal
     shape.check();
     surface.check();
     gait.check();
-    check_value("Fluid/Density", fluid_density, fluid_density > 0., "a positive density [kg/m^3]");
+    check_positive("Fluid/Density", fluid_density, "Give a positive density [kg/m^3].");
     body.check();
     integration.check();
     resistance.check();

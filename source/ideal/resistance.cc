@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/ideal/resistance.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -79,16 +80,10 @@ namespace caudal::ideal
 
   void ResistanceParameters::check() const
   {
-    const auto check_range = [](const std::string &entry, const double value, const bool ok) {
-      AssertThrow(ok && std::isfinite(value), ExcMessage("Resistance/" + entry + ": the value is " +
-                                                         Patterns::Tools::to_string(value) +
-                                                         ". Give a number that is not negative."));
-    };
-    check_range("Friction coefficient", friction, friction >= 0.);
-    check_range("Drag coefficient", drag, drag >= 0.);
-    AssertThrow(std::isfinite(viscosity) && viscosity > 0.,
-                ExcMessage("Resistance/Kinematic viscosity: the value is " +
-                           Patterns::Tools::to_string(viscosity) + ". Give a positive one."));
+    const std::string remedy = "Give a number that is not negative.";
+    check_not_negative("Resistance/Friction coefficient", friction, remedy);
+    check_not_negative("Resistance/Drag coefficient", drag, remedy);
+    check_positive("Resistance/Kinematic viscosity", viscosity, "Give a positive one.");
   }
 
   ExternalForce create_resistance(const ResistanceParameters &parameters,

@@ -43,9 +43,9 @@ namespace caudal
     return "The fluid is ideal: no viscous drag, no boundary layer, no wake, and so no\n"
            "thrust from shed vortices. The body moves by the exchange of momentum with the\n"
            "fluid that it displaces; work done in a part of the stroke is returned in\n"
-           "another, and speed is proportional to frequency. The figures of the paper are\n"
-           "not reproduced exactly, as it leaves units of the shape, phase lag and amplitude\n"
-           "open: compare trends.\n";
+           "another, and speed is proportional to frequency. The figures of Yao et al. are not\n"
+           "reproduced exactly, as their paper leaves units of the shape, phase lag and\n"
+           "amplitude open: compare trends.\n";
   }
 
   namespace
