@@ -168,7 +168,7 @@ namespace caudal
       cell->get_dof_indices(dofs);
       const auto               nodes    = get_nodes<dim>(cell, dofs, positions);
       const types::material_id region   = cell->material_id();
-      const auto              &material = body.get_stress_model(region);
+      const auto              &material = body.get_material(region);
       const double             kappa    = get_volume_stabilisation(body, region);
       cell_system.clear();
       for (unsigned int q = 0; q < data.n_q; ++q)
@@ -185,12 +185,13 @@ namespace caudal
           active_stress = load.stress(data.points[point], region);
         if (load.force_density)
           force = load.force_density(data.points[point], region);
-        cell_system.add_forces(material.first_piola_kirchhoff_stress(F), F * active_stress, force,
-                               data.shape_values[q], gradients, weight);
+        cell_system.add_forces(material.first_piola_kirchhoff_stress(F, data.points[point]),
+                               F * active_stress, force, data.shape_values[q], gradients, weight);
         if (kappa > 0)
           cell_system.add_volume(F, gradients, weight);
         if (with_stiffness)
-          cell_system.add_stiffness(material.tangent(F), active_stress, gradients, weight);
+          cell_system.add_stiffness(material.tangent(F, data.points[point]), active_stress,
+                                    gradients, weight);
       }
       if (kappa > 0)
         cell_system.add_volume_stabilisation(kappa, with_stiffness);
@@ -223,7 +224,8 @@ namespace caudal
         reference_volume += data.weights[point];
         AssertThrow(J > 0, ExcInvertedElement(J));
         summary.elastic_energy +=
-            data.weights[point] * body.get_stress_model(cell->material_id()).strain_energy(F);
+            data.weights[point] *
+            body.get_material(cell->material_id()).strain_energy(F, data.points[point]);
       }
       volume += cell_volume;
       const double log_J = std::log(cell_volume / reference_volume);
@@ -258,7 +260,8 @@ namespace caudal
         J += determinant(F) / data.n_q;
         volume += data.weights[point] * determinant(F);
         reference_volume += data.weights[point];
-        stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
+        stress += body.get_material(cell->material_id())
+                      .first_piola_kirchhoff_stress(F, data.points[point]) *
                   transpose(F) / determinant(F) / data.n_q;
       }
       const double pressure = -get_volume_stabilisation(body, cell->material_id()) *
