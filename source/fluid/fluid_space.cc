@@ -64,14 +64,28 @@ namespace caudal
     velocity_dofs.distribute_dofs(velocity_element);
     pressure_dofs.distribute_dofs(pressure_element);
     homogeneous_constraints.copy_from(make_constraints(0, true));
-    constraints.copy_from(homogeneous_constraints);
+    constraints_time.reset();
+    for (auto [dofs, layout] : {std::make_pair(&velocity_dofs, &velocity_layout),
+                                std::make_pair(&pressure_dofs, &pressure_layout)})
+    {
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(*dofs, relevant);
+      *layout = std::make_shared<Utilities::MPI::Partitioner>(dofs->locally_owned_dofs(), relevant,
+                                                              get_communicator());
+    }
   }
 
   template <int dim>
-  void FluidSpace<dim>::set_boundary_values(const double time)
+  const AffineConstraints<double> &FluidSpace<dim>::get_constraints(const double time) const
   {
-    if (parameters.has_condition(BoundaryCondition::inflow))
+    if (!parameters.has_condition(BoundaryCondition::inflow))
+      return homogeneous_constraints;
+    if (constraints_time != time)
+    {
       constraints.copy_from(make_constraints(time, false));
+      constraints_time = time;
+    }
+    return constraints;
   }
 
   template <int dim>
@@ -119,22 +133,6 @@ namespace caudal
     for (unsigned int d = 0; d < dim; ++d)
       volume *= domain_size[d];
     return volume * dim / velocity_dofs.n_dofs();
-  }
-
-  template <int dim>
-  FieldVector FluidSpace<dim>::make_velocity_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    return FieldVector(velocity_dofs.locally_owned_dofs(), relevant, get_communicator());
-  }
-
-  template <int dim>
-  FieldVector FluidSpace<dim>::make_pressure_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(pressure_dofs, relevant);
-    return FieldVector(pressure_dofs.locally_owned_dofs(), relevant, get_communicator());
   }
 
   template class FluidSpace<2>;

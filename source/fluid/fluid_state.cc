@@ -89,7 +89,7 @@ namespace caudal
                              CheckedFunction<dim>("Fluid/Initial velocity",
                                                   space.get_parameters().initial_velocity, dim),
                              state.velocity);
-    space.constraints.distribute(state.velocity);
+    space.get_constraints(0).distribute(state.velocity);
     state.update_ghost_values();
   }
 

@@ -5,6 +5,7 @@
 #include <caudal/solid/body_state.h>
 #include <caudal/solid/elasticity.h>
 #include <caudal/solid/load.h>
+#include <caudal/solid/rigid_motion.h>
 
 namespace caudal
 {
@@ -13,7 +14,7 @@ namespace caudal
   struct BodyParameters
   {
     SolidParameters<dim> solid;
-    MuscleParameters     muscle;
+    MuscleParameters<dim> muscle;
     GaitParameters       gait;
     ControllerParameters controller;
     std::string          lateral_frame = "domain";
@@ -36,8 +37,11 @@ namespace caudal
     /** @p fluid_density is the density rho that the body shares with the fluid. */
     Body(const BodyParameters<dim> &parameters, double fluid_density);
 
-    const SolidBody<dim> solid;
-
+    /** Grid, materials and matrices. */
+    const SolidBody<dim> &get_solid() const
+    {
+      return solid;
+    }
     const std::string &get_name() const
     {
       return solid.get_name();
@@ -60,8 +64,17 @@ namespace caudal
     /** At rest in the reference configuration, where the parameters have placed it. */
     BodyState make_initial_state() const;
 
-    /** Throws a sentence unless @p state is one of this body. */
-    void check_state(const BodyState &state) const;
+    /** The motion of @p state at @p time, the end of the step of length @p step. */
+    BodyMotion get_motion(const BodyState &state, const double time, const double step) const
+    {
+      return {state.positions, state.velocity, time, step, state.contraction};
+    }
+
+    /**
+     * Throws a sentence unless @p state, read from a checkpoint with the @p initial_positions of
+     * the body that it was of, is one of this body.
+     */
+    void check_state(const BodyState &state, const Vector<double> &initial_positions) const;
 
     /** Controller and muscle decide on the step of length @p step from @p state at @p time. */
     Contraction command_muscle(const BodyState &state, double time, double step) const;
@@ -69,8 +82,8 @@ namespace caudal
     /** The forces b of all loads of the @p account [N, in 2D N/m]. */
     Vector<double> compute_force(LoadAccount account, const BodyMotion &motion) const;
 
-    /** The forces b of all loads; adds their derivatives to @p response unless that is null. */
-    Vector<double> compute_force(const BodyMotion &motion, BodyResponse *response = nullptr) const;
+    /** The forces b of all loads; adds their derivatives to @p response. */
+    Vector<double> compute_force(const BodyMotion &motion, BodyResponse &response) const;
 
     /** Lateral position of the muscle's monitored point, as the muscle is told [m]. */
     double get_lateral_position(const BodyState &state) const;
@@ -89,6 +102,7 @@ namespace caudal
 
   private:
     const BodyParameters<dim>              &parameters;
+    SolidBody<dim>                          solid;
     const double                            length;
     std::unique_ptr<Muscle<dim>>            muscle;
     std::unique_ptr<Gait<dim>>              gait;
@@ -96,8 +110,9 @@ namespace caudal
     std::vector<std::unique_ptr<Load<dim>>> loads;
     unsigned int                            lateral_point = 0;
 
-    void         check_nose() const;
-    SwimmerState get_swimmer_state(const BodyState &state, double time, double step) const;
+    void             check_nose() const;
+    RigidMotion<dim> fit_head(const BodyState &state) const;
+    SwimmerState     get_swimmer_state(const BodyState &state, double time, double step) const;
   };
 } // namespace caudal
 
