@@ -34,4 +34,10 @@ namespace caudal
                            "). Give a function that is defined there."));
     return value;
   }
+
+  void BodyFunction::check_along() const
+  {
+    for (const double s : {0., 0.25, 0.5, 0.75, 1.})
+      value(s, 0.);
+  }
 } // namespace caudal

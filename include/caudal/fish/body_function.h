@@ -23,6 +23,9 @@ namespace caudal
     /** Throws if the value is not finite. */
     double value(const double first, const double second) const;
 
+    /** Throws unless it is finite at some places along the body. */
+    void check_along() const;
+
   private:
     const std::string path;
     const std::string variables;
