@@ -37,17 +37,6 @@ namespace caudal
       return text.str();
     }
 
-    /** Frequency of the beat [Hz] if parameters alone decide on it; otherwise 0. */
-    template <int dim>
-    double get_beat_frequency(const SwimmingBodyParameters<dim> &parameters)
-    {
-      if (parameters.gait.type == "travelling wave")
-        return parameters.gait.frequency;
-      if (parameters.muscle.type == "travelling wave")
-        return parameters.muscle.travelling_wave.frequency;
-      return 0;
-    }
-
     /** The fastest of the elastic waves in the body [m/s]. */
     template <int dim>
     double get_wave_speed(const SolidParameters<dim> &solid, const double density)
@@ -88,12 +77,12 @@ namespace caudal
     Body body;
     body.path      = "Body " + swimmer.get_name();
     body.regions   = solid.get_parameters().regions;
-    body.swims     = swimmer.swims() && swimmer.get_parameters().muscle.type != "fibres";
+    body.swims     = swimmer.swims() && swimmer.counts_from_nose();
     body.length    = swimmer.get_length();
     body.thickness = compute_extent(solid.get_triangulation()).region_thickness;
     body.spacing_ratio =
         std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree / cell_size;
-    body.beat_frequency = get_beat_frequency(swimmer.get_parameters());
+    body.beat_frequency = swimmer.get_beat_frequency();
     body.wave_speed     = get_wave_speed(solid.get_parameters(), density);
     for (const auto &region : solid.get_parameters().region_parameters)
       body.spring_frequency =

@@ -159,7 +159,13 @@ namespace caudal
     /** Checks the parameters of the chosen member; @p path is that of the section around it. */
     void check(const std::string &path) const
     {
-      get().check(path + "/" + get_section(name));
+      get().check(get_path(path));
+    }
+
+    /** The path of the chosen member's section; @p path is that of the section around it. */
+    std::string get_path(const std::string &path) const
+    {
+      return path + "/" + get_section(name);
     }
 
     const std::string &get_name() const

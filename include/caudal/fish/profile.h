@@ -1,11 +1,11 @@
-#ifndef caudal_ideal_profile_h
-#define caudal_ideal_profile_h
+#ifndef caudal_fish_profile_h
+#define caudal_fish_profile_h
 
 #include <boost/math/interpolators/quintic_hermite.hpp>
 
 #include <vector>
 
-namespace caudal::ideal
+namespace caudal
 {
   /**
    * A smooth curve through the points (x_i, y_i), x_i increasing: twice continuously
@@ -34,6 +34,6 @@ namespace caudal::ideal
     const double  first, last;
     const Hermite hermite;
   };
-} // namespace caudal::ideal
+} // namespace caudal
 
 #endif

@@ -1,10 +1,10 @@
-#include <caudal/ideal/cubic_spline.h>
-#include <caudal/ideal/profile.h>
+#include <caudal/fish/cubic_spline.h>
+#include <caudal/fish/profile.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace caudal::ideal
+namespace caudal
 {
   namespace
   {
@@ -57,10 +57,7 @@ namespace caudal::ideal
 
     Data make_data(const std::vector<double> &x, const std::vector<double> &y, const bool limited)
     {
-      Data              data{x, y, {}, std::vector<double>(x.size(), 0.)};
-      const CubicSpline spline(x, y, false);
-      for (const double at : x)
-        data.slopes.push_back(spline.evaluate(at).second);
+      Data data{x, y, compute_spline_slopes(x, y, false), std::vector<double>(x.size(), 0.)};
       for (std::size_t i = 1; i + 1 < x.size(); ++i)
       {
         // From the slopes at the ends of the cubic piece to the right.
@@ -99,4 +96,4 @@ namespace caudal::ideal
     const double inside = std::clamp(x, first, last);
     return hermite(inside) + hermite.prime(inside) * (x - inside);
   }
-} // namespace caudal::ideal
+} // namespace caudal
