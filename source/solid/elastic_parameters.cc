@@ -27,6 +27,7 @@ namespace caudal
     prm.add_parameter("Bodies", body_name,
                       "The name of the body, which has a section `Body <name>`.",
                       Patterns::Anything());
+    declare_libraries(prm);
     prm.add_parameter("Gravity", gravity, "Acceleration of gravity g [m/s^2].");
     prm.enter_subsection("Time");
     prm.add_parameter("Static", is_static,

@@ -45,6 +45,9 @@ namespace caudal
    */
   void load_libraries(const std::string &files);
 
+  /** Declares the entry with the files that load_libraries() takes. */
+  void declare_libraries(ParameterHandler &prm);
+
   /** Notes two plug-ins with the same name; an exception can't leave an initialisation. */
   void report_second_plugin(const std::string &name);
 
