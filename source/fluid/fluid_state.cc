@@ -31,35 +31,6 @@ namespace caudal
 
   namespace
   {
-    /** A vector field of the .prm, refused where it is not finite. */
-    template <int dim>
-    class CheckedFunction : public Function<dim>
-    {
-    public:
-      CheckedFunction(const std::string &path, const std::string &expression,
-                      const unsigned int n_components)
-          : Function<dim>(n_components)
-          , path(path)
-          , expression(expression)
-          , function(make_expression<dim>(path, expression, n_components))
-      {}
-
-      double value(const Point<dim> &point, const unsigned int component) const override
-      {
-        check_finite(path, expression, *function, point);
-        return function->value(point, component);
-      }
-
-      void set_time(const double time) override
-      {
-        function->set_time(time);
-      }
-
-    private:
-      const std::string                          path, expression;
-      const std::unique_ptr<FunctionParser<dim>> function;
-    };
-
     /** One or several components of a function as a function of its own. */
     template <int dim>
     class Components : public Function<dim>
@@ -85,11 +56,11 @@ namespace caudal
   template <int dim>
   void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state)
   {
-    VectorTools::interpolate(space.velocity_dofs,
-                             CheckedFunction<dim>("Fluid/Initial velocity",
-                                                  space.get_parameters().initial_velocity, dim),
-                             state.velocity);
-    space.constraints.distribute(state.velocity);
+    VectorTools::interpolate(
+        space.velocity_dofs,
+        Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
+        state.velocity);
+    space.get_constraints(0).distribute(state.velocity);
     state.update_ghost_values();
   }
 
@@ -264,8 +235,7 @@ namespace caudal
   std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
                                            const FluidState<dim> &state, const double time)
   {
-    CheckedFunction<dim> exact("Fluid/Exact solution", space.get_parameters().exact_solution,
-                               dim + 1);
+    Expression<dim> exact("Fluid/Exact solution", space.get_parameters().exact_solution, dim + 1);
     exact.set_time(time);
     const Components<dim> exact_velocity(exact, 0, dim), exact_pressure(exact, dim, 1);
     const QGauss<dim>     quadrature(5);

@@ -142,6 +142,7 @@ namespace caudal
                       "The model: potential, a body of prescribed deformation in an ideal fluid "
                       "(the other one, immersed, has other parameters).",
                       Patterns::Selection("potential"));
+    declare_libraries(prm);
     time.add_parameters(prm);
     prm.add_parameter("Bodies", body_name, "Name of the body, which has a section `Body <name>`.",
                       Patterns::Anything());

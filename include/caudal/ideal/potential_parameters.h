@@ -83,6 +83,12 @@ namespace caudal
     /** The body is the one that @p file names; without a file it is called <name>. */
     explicit PotentialParameters(const ParameterFile *file);
 
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries()
+    {
+      return {};
+    }
+
     void declare(ParameterHandler &prm);
     void check() const;
 
