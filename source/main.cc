@@ -1,5 +1,6 @@
 #include <caudal/app/model_run.h>
 #include <caudal/app/verify_restart.h>
+#include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
 #include <caudal/ideal/ideal_swimmer.h>
@@ -83,8 +84,9 @@ namespace
 
   /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
   template <class Swimmer>
-  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_model(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(Swimmer::Parameters::get_renamed_entries(file));
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
     if (command_line.action == Action::verify_restart)
@@ -182,9 +184,11 @@ namespace
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    load_libraries(file ? file->get("Libraries", "") : "");
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
-      return model == "potential" ? print_model_parameters(IdealParameters(), command_line.format)
+      return model == "potential"
+                 ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
@@ -203,21 +207,9 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
-  std::string error;
-  try
-  {
-    return run(argc, argv);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
-    std::ostringstream text;
-    exception.print_info(text);
-    error = dealii::Utilities::trim(text.str());
-  }
-  catch (const std::exception &exception)
-  {
-    error = exception.what();
-  }
-  report_error(error);
-  return failed;
+  Exit              exit  = failed;
+  const std::string error = catch_error([&]() { exit = run(argc, argv); });
+  if (!error.empty())
+    report_error(error);
+  return exit;
 }

@@ -60,7 +60,7 @@ namespace caudal
         space.velocity_dofs,
         Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
         state.velocity);
-    space.constraints.distribute(state.velocity);
+    space.get_constraints(0).distribute(state.velocity);
     state.update_ghost_values();
   }
 

@@ -1,4 +1,6 @@
+#include <caudal/ideal/bending_body.h>
 #include <caudal/ideal/ideal_case.h>
+#include <caudal/ideal/mesh_body.h>
 #include <caudal/ideal/swim_summary.h>
 
 #include <algorithm>
@@ -7,12 +9,23 @@ namespace caudal
 {
   using namespace ideal;
 
+  namespace
+  {
+    std::unique_ptr<StraightBody> make_straight_body(const IdealParameters &parameters,
+                                                     const Surface         &surface)
+    {
+      if (surface.is_from_file())
+        return std::make_unique<MeshBody>(surface);
+      return parameters.body.shape.make_straight_body(parameters.get_body_path() + "/Shape");
+    }
+  } // namespace
+
   IdealCase::IdealCase(const IdealParameters &parameters)
       : parameters(parameters)
-      , surface(parameters.surface)
-      , gait(create_gait(parameters.gait))
-      , shape(create_shape(parameters.shape, surface))
-      , deformation(gait->create_deformation(surface, *shape))
+      , surface(parameters.surface, parameters.body.shape.type.get().get_file())
+      , straight_body(make_straight_body(parameters, surface))
+      , gait(parameters.body.gait.create(straight_body->get_length()))
+      , deformation(std::make_unique<BendingBody>(surface, *straight_body, *gait))
   {
     AssertThrow(
         parameters.time.end_time <= gait->get_end() * (1. + 1e-9),

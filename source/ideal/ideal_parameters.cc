@@ -47,7 +47,10 @@ namespace caudal
 
   void IdealBodyParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Body");
+    prm.enter_subsection("Shape");
+    shape.add_entries(prm);
+    prm.leave_subsection();
+    gait.add_parameters(prm);
     prm.add_parameter("Density", density, "Uniform density [kg/m^3]; 0: that of the fluid.");
     prm.add_parameter("Linear impulse", linear_impulse,
                       "Of body and fluid at the start, along x, y, z [kg m/s]; the motion of a "
@@ -56,17 +59,18 @@ namespace caudal
     prm.add_parameter("Angular impulse", angular_impulse,
                       "Of body and fluid at the start, about the nose [kg m^2/s].",
                       Patterns::List(Patterns::Double(), 3, 3));
-    prm.leave_subsection();
   }
 
-  void IdealBodyParameters::check() const
+  void IdealBodyParameters::check(const std::string &path) const
   {
-    check_not_negative("Body/Density", density,
+    shape.check(path + "/Shape");
+    gait.check(path);
+    check_not_negative(path + "/Density", density,
                        "Give a positive density [kg/m^3], or 0 for that of the fluid.");
     for (const double component : linear_impulse)
-      check_finite("Body/Linear impulse", component, "Give finite numbers.");
+      check_finite(path + "/Linear impulse", component, "Give finite numbers.");
     for (const double component : angular_impulse)
-      check_finite("Body/Angular impulse", component, "Give finite numbers.");
+      check_finite(path + "/Angular impulse", component, "Give finite numbers.");
   }
 
   bool IdealBodyParameters::is_from_rest() const
@@ -109,20 +113,47 @@ namespace caudal
                   "Give a number from 1e-14 to 1e-2.");
   }
 
+  std::vector<RenamedEntry> IdealParameters::get_renamed_entries(const ParameterFile &file)
+  {
+    const std::string body = IdealParameters(&file).get_body_path();
+    return {{"Shape/Stations", body + "/Shape/Stations/Table"},
+            {"Shape/Stations file", body + "/Shape/Stations/File"},
+            {"Shape/Interpolation", body + "/Shape/Stations/Interpolation"},
+            {"Shape/Axes", body + "/Shape/Ellipsoid/Axes"},
+            {"Shape", body + "/Shape"},
+            {"Surface/File", body + "/Shape/File/Name"},
+            {"Gait/Type", body + "/Gait/Type", "curvature", "curvature wave"},
+            {"Gait/Amplitude", body + "/Gait/Sine/Amplitude"},
+            {"Gait/Curvature", body + "/Gait/Curvature wave/Amplitude"},
+            {"Gait", body + "/Gait"},
+            {"Body", body}};
+  }
+
+  IdealParameters::IdealParameters(const ParameterFile *file)
+      : body_name(file ? file->get("Bodies", "fish") : "<name>")
+  {
+    AssertThrow(!body_name.empty() && body_name.find(',') == std::string::npos,
+                ExcMessage("Bodies: the value is <" + body_name +
+                           ">. Give one name: the ideal fluid has one body."));
+  }
+
   void IdealParameters::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
                       "The model: potential, a body of prescribed deformation in an ideal fluid "
                       "(the other one, immersed, has other parameters).",
                       Patterns::Selection("potential"));
+    declare_libraries(prm);
     time.add_parameters(prm);
-    shape.add_parameters(prm);
+    prm.add_parameter("Bodies", body_name, "Name of the body, which has a section `Body <name>`.",
+                      Patterns::Anything());
+    prm.enter_subsection(get_body_path());
+    body.add_parameters(prm);
+    prm.leave_subsection();
     surface.add_parameters(prm);
-    gait.add_parameters(prm);
     prm.enter_subsection("Fluid");
     prm.add_parameter("Density", fluid_density, "Density of the fluid [kg/m^3].");
     prm.leave_subsection();
-    body.add_parameters(prm);
     integration.add_parameters(prm);
     resistance.add_parameters(prm);
     output.add_parameters(prm);
@@ -132,11 +163,9 @@ namespace caudal
   void IdealParameters::check() const
   {
     time.check();
-    shape.check();
     surface.check();
-    gait.check();
     check_positive("Fluid/Density", fluid_density, "Give a positive density [kg/m^3].");
-    body.check();
+    body.check(get_body_path());
     integration.check();
     resistance.check();
     output.check();

@@ -32,12 +32,6 @@ namespace caudal
     {
       return "fish" + suffix;
     }
-
-    /** The wave's argument is the phase of a gait with a period, and the time of any other. */
-    double get_argument_rate(const Gait &gait, const double frequency)
-    {
-      return gait.is_periodic() ? 2. * numbers::PI * frequency : 1.;
-    }
   } // namespace
 
   IdealSwimmer::IdealSwimmer(const IdealParameters &parameters, const MPI_Comm communicator)
@@ -124,7 +118,7 @@ namespace caudal
   {
     MotionProblem problem;
     problem.model      = &model;
-    problem.rate       = get_argument_rate(*the_case.gait, frequency);
+    problem.rate       = the_case.gait->get_argument_rate(frequency);
     problem.length     = the_case.deformation->get_length();
     problem.tolerance  = parameters.integration.tolerance;
     problem.integrator = the_case.uses_table() ? Integrator::adaptive : Integrator::given_steps;
@@ -188,7 +182,7 @@ namespace caudal
       summary.mass        = the_case.compute_mass();
       summary.has_torques = has_torques;
       if (are_equal)
-        summary.energy = stroke.at_rate(get_argument_rate(*the_case.gait, frequency));
+        summary.energy = stroke.at_rate(the_case.gait->get_argument_rate(frequency));
       summaries.push_back(summary);
     }
     run_on_root(communicator, [&]() {

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/io/checkpoint_folder.h>
 
 #include <caudal/base/collective.h>
@@ -134,14 +135,10 @@ namespace caudal
 
   void CheckpointParameters::check() const
   {
-    AssertThrow(std::isfinite(wall_time_interval) && wall_time_interval >= 0,
-                ExcMessage("Checkpoint/Interval of wall time: the value is " +
-                           std::to_string(wall_time_interval) +
-                           " min. Give a positive time, or 0 to count steps only."));
-    AssertThrow(std::isfinite(wall_time_limit) && wall_time_limit >= 0,
-                ExcMessage("Checkpoint/Wall time limit: the value is " +
-                           std::to_string(wall_time_limit) +
-                           " h. Give a positive time, or 0 for no limit."));
+    check_not_negative("Checkpoint/Interval of wall time", wall_time_interval,
+                       "Give a positive time [min], or 0 to count steps only.");
+    check_not_negative("Checkpoint/Wall time limit", wall_time_limit,
+                       "Give a positive time [h], or 0 for no limit.");
   }
 
   CheckpointFolder::CheckpointFolder(const std::string &results, const unsigned int n_slots,

@@ -37,31 +37,17 @@ namespace caudal
       return text.str();
     }
 
-    /** Frequency of the beat [Hz] if parameters alone decide on it; otherwise 0. */
-    template <int dim>
-    double get_beat_frequency(const SwimmingBodyParameters<dim> &parameters)
-    {
-      if (parameters.gait.type == "travelling wave")
-        return parameters.gait.frequency;
-      if (parameters.muscle.type == "travelling wave")
-        return parameters.muscle.travelling_wave.frequency;
-      return 0;
-    }
-
     /** The fastest of the elastic waves in the body [m/s]. */
     template <int dim>
     double get_wave_speed(const SolidParameters<dim> &solid, const double density)
     {
       double stiffness = 0;
-      for (const auto &region : solid.region_parameters)
+      for (unsigned int r = 0; r < solid.regions.size(); ++r)
       {
-        const MaterialParameters &material = region->material;
-        double modulus = region->cell_volume_stabilisation + material.volumetric_stabilisation;
-        if (material.material != "none")
-          modulus += 2 * material.get_shear_modulus();
-        if (material.material == "St. Venant-Kirchhoff")
-          modulus += material.get_lame_modulus();
-        stiffness = std::max(stiffness, modulus);
+        const RegionParameters<dim> &region = *solid.region_parameters[r];
+        stiffness =
+            std::max(stiffness, region.cell_volume_stabilisation +
+                                    region.material.get_wave_modulus(solid.get_region_path(r)));
       }
       return std::sqrt(stiffness / density);
     }
@@ -91,12 +77,12 @@ namespace caudal
     Body body;
     body.path      = "Body " + swimmer.get_name();
     body.regions   = solid.get_parameters().regions;
-    body.swims     = swimmer.swims() && swimmer.get_parameters().muscle.type != "fibres";
+    body.swims     = swimmer.swims() && swimmer.counts_from_nose();
     body.length    = swimmer.get_length();
     body.thickness = compute_extent(solid.get_triangulation()).region_thickness;
     body.spacing_ratio =
         std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree / cell_size;
-    body.beat_frequency = get_beat_frequency(swimmer.get_parameters());
+    body.beat_frequency = swimmer.get_beat_frequency();
     body.wave_speed     = get_wave_speed(solid.get_parameters(), density);
     for (const auto &region : solid.get_parameters().region_parameters)
       body.spring_frequency =

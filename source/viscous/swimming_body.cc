@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/viscous/swimming_body.h>
 
 #include <caudal/solid/rigid_motion.h>
@@ -44,19 +45,18 @@ namespace caudal
     muscle.check(path);
     gait.check(path);
     controller.check(path);
-    AssertThrow(std::isfinite(gait_damping) && gait_damping > 0,
-                ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
-                           ". Give a positive number."));
-    AssertThrow(controller.type == "none" || muscle.type != "none",
-                ExcMessage(path + "/Controller/Type: the controller <" + controller.type +
+    check_positive(path + "/Gait damping", gait_damping);
+    AssertThrow(controller.type.get_name() == "none" || muscle.type.get_name() != "none",
+                ExcMessage(path + "/Controller/Type: the controller <" +
+                           controller.type.get_name() +
                            "> acts on the muscle, and there is none. Give Muscle/Type, or no "
                            "controller."));
-    AssertThrow(controller.type != "heading" || muscle.type != "fibres",
+    AssertThrow(!controller.type.get().steers() || muscle.type.get().can_steer(),
                 ExcMessage(path + "/Controller/Type: fibres pull on both sides alike and can't "
                                   "steer. Give another muscle, or no controller of the heading."));
     if (is_explicit)
     {
-      AssertThrow(gait.type == "none",
+      AssertThrow(!gait.type.get().is_prescribed(),
                   ExcMessage(path + "/Gait/Type: a gait needs Time/Scheme = semi-implicit."));
       AssertThrow(solid.density == 0,
                   ExcMessage(path +
@@ -73,15 +73,20 @@ namespace caudal
       , interaction(coupling, communicator)
       , parameters(parameters)
       , length(compute_extent(solid.get_triangulation()).length)
-      , controller(create_controller(parameters.controller))
+      , controller(parameters.controller.type.create())
       , surface_load(solid)
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
       region_ids[parameters.solid.regions[r]] = r;
+    muscle        = parameters.muscle.create(length, region_ids);
+    muscle_memory = muscle->get_initial_memory();
+    gait          = parameters.gait.create(length);
+    std::vector<Point<dim>> nodes;
+    for (const auto &node : solid.get_nodes())
+      nodes.push_back(solid.get_reference_point(node[0]));
+    gait_motion = std::make_unique<PrescribedMotion<dim>>(*gait, nodes);
     check_nose();
-    muscle = create_muscle<dim>(parameters.muscle, length, region_ids);
-    gait   = create_gait<dim>(parameters.gait, length);
 
     elastic_system.reinit(solid.get_sparsity_pattern());
     response.reinit(solid.get_sparsity_pattern());
@@ -94,21 +99,19 @@ namespace caudal
     deformation        = summarise_deformation(solid, solid.positions);
 
     if (swims())
-      lateral_point = solid.add_point(
-          Point<dim>(parameters.muscle.monitored_point * length * Point<dim>::unit_vector(0)),
-          solid.get_parameters().get_path() + "/Muscle/Monitored point");
+      lateral_point =
+          solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * length *
+                                     Point<dim>::unit_vector(0)),
+                          solid.get_parameters().get_path() + "/Muscle/Monitored point");
   }
 
   template <int dim>
   void SwimmingBody<dim>::check_nose() const
   {
-    const bool uses_stations =
-        parameters.gait.type != "none" ||
-        (parameters.muscle.type != "none" && parameters.muscle.type != "fibres");
     const auto   box  = GridTools::compute_bounding_box(solid.get_triangulation());
     const double nose = box.lower_bound(0);
     AssertThrow(
-        !uses_stations || std::abs(nose) < 1e-3 * length,
+        !counts_from_nose() || std::abs(nose) < 1e-3 * length,
         ExcMessage(solid.get_parameters().get_path() +
                    "/Shape: muscle and gait count s from x = 0 of the body's frame, but the "
                    "shape begins at x = " +
@@ -178,8 +181,7 @@ namespace caudal
     if (!swims())
       return;
     const SwimmerState state = get_swimmer_state(time, step);
-    muscle->set_command(controller->compute_command(state));
-    muscle->prepare_step(state);
+    contraction = muscle->contract(muscle_memory, state, controller->compute_command(state));
   }
 
   template <int dim>
@@ -188,11 +190,12 @@ namespace caudal
     ActiveLoad<dim> load;
     if (muscle->has_force())
       load.force_density = [this, time](const Point<dim> &s, const types::material_id region) {
-        return solid.rotate_to_domain(muscle->force_density(MaterialPoint<dim>{s, region}, time));
+        return solid.rotate_to_domain(
+            muscle->force_density(contraction, MaterialPoint<dim>{s, region}, time));
       };
     if (muscle->has_active_stress())
       load.stress = [this, time](const Point<dim> &s, const types::material_id region) {
-        return muscle->active_stress(MaterialPoint<dim>{s, region}, time);
+        return muscle->active_stress(contraction, MaterialPoint<dim>{s, region}, time);
       };
     return load;
   }
@@ -223,18 +226,13 @@ namespace caudal
                                                           const double relaxation_time) const
   {
     Vector<double> shape(solid.n_dofs()), rate(solid.n_dofs()), result(solid.n_dofs());
-    gait->set_time(time);
-    for (const auto &node : solid.get_nodes())
-    {
-      const Point<dim>    &s        = solid.get_reference_point(node[0]);
-      const Point<dim>     position = gait->position(s);
-      const Tensor<1, dim> velocity = gait->velocity(s);
+    const auto     motion = gait_motion->compute(time);
+    for (unsigned int n = 0; n < solid.get_nodes().size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
       {
-        shape[node[d]] = position[d];
-        rate[node[d]]  = velocity[d];
+        shape[solid.get_nodes()[n][d]] = motion.positions[n][d];
+        rate[solid.get_nodes()[n][d]]  = motion.velocities[n][d];
       }
-    }
     const auto fit = fit_rigid_motion(solid, solid.get_nodes(), shape, x);
     for (const auto &node : solid.get_nodes())
     {
@@ -301,7 +299,7 @@ namespace caudal
     solid.positions     = new_positions;
     solid.velocity      = new_velocity;
     solid.force_density = new_force_density;
-    muscle->accept_step();
+    muscle_memory       = contraction.after;
   }
 
   template <int dim>
@@ -312,7 +310,8 @@ namespace caudal
                 ExcMessage("Body " + get_name() +
                            "/Shape: the checkpoint holds a body with another grid. Resume with "
                            "the shape (and the mesh file) that wrote it."));
-    muscle->set_state(muscle_state);
+    muscle->check_memory(muscle_state);
+    muscle_memory     = muscle_state;
     new_positions     = solid.positions;
     new_velocity      = solid.velocity;
     new_force_density = solid.force_density;

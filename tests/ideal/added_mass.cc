@@ -62,7 +62,7 @@ int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const Surface surfaces[] = {Surface({3, 3, ""}), Surface({6, 6, ""}), Surface({8, 7, ""})};
+  const Surface                    surfaces[] = {Surface({3, 3}), Surface({6, 6}), Surface({8, 7})};
 
   for (const Ellipsoid &e : ellipsoids)
   {

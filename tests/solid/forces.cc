@@ -18,19 +18,19 @@ namespace
     Setup()
         : parameters("test", {"front", "back"})
     {
-      parameters.grid.type              = "beam";
-      parameters.grid.thickness         = 0.3;
-      parameters.grid.width             = 0.4;
-      parameters.grid.elements          = std::vector<unsigned int>(dim, 2);
-      parameters.grid.region_boundaries = {0.5};
-      parameters.grid.rotation          = 30;
-      parameters.polynomial_degree      = 2;
-      MaterialParameters &front         = parameters.region_parameters[0]->material;
-      front.youngs_modulus              = 3;
-      MaterialParameters &back          = parameters.region_parameters[1]->material;
-      back.material                     = "St. Venant-Kirchhoff";
-      back.shear_modulus                = 2;
-      body                              = std::make_unique<SolidBody<dim>>(parameters, 1.);
+      parameters.grid.shape.type.set_name("beam");
+      parameters.grid.shape.lengths.thickness     = 0.3;
+      parameters.grid.shape.lengths.width         = 0.4;
+      parameters.grid.divisions.elements          = std::vector<unsigned int>(dim, 2);
+      parameters.grid.divisions.region_boundaries = {0.5};
+      parameters.grid.rotation                    = 30;
+      parameters.polynomial_degree                = 2;
+      MaterialParameters<dim> &front              = parameters.region_parameters[0]->material;
+      front.moduli.youngs_modulus                 = 3;
+      MaterialParameters<dim> &back               = parameters.region_parameters[1]->material;
+      back.material.set_name("St. Venant-Kirchhoff");
+      back.moduli.shear_modulus = 2;
+      body                      = std::make_unique<SolidBody<dim>>(parameters, 1.);
       system.reinit(body->get_sparsity_pattern());
 
       load.force_density = [](const Point<dim> &s, types::material_id) {

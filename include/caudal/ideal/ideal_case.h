@@ -1,6 +1,7 @@
 #ifndef caudal_ideal_ideal_case_h
 #define caudal_ideal_ideal_case_h
 
+#include <caudal/ideal/deformation.h>
 #include <caudal/ideal/ideal_parameters.h>
 #include <caudal/ideal/torques.h>
 
@@ -35,8 +36,8 @@ namespace caudal
 
     const IdealParameters                    &parameters;
     const ideal::Surface                      surface;
-    const std::unique_ptr<ideal::Gait>        gait;
-    const std::unique_ptr<ideal::Shape>       shape;
+    const std::unique_ptr<StraightBody>       straight_body;
+    const std::unique_ptr<Gait>               gait;
     const std::unique_ptr<ideal::Deformation> deformation;
 
   private:

@@ -1,8 +1,9 @@
 #ifndef caudal_ideal_swimming_shape_h
 #define caudal_ideal_swimming_shape_h
 
+#include <caudal/fish/gait.h>
 #include <caudal/ideal/boundary_elements.h>
-#include <caudal/ideal/gait.h>
+#include <caudal/ideal/deformation.h>
 #include <caudal/ideal/torques.h>
 
 namespace caudal::ideal

@@ -45,6 +45,12 @@ namespace caudal
      */
     explicit RunParameters(const ParameterFile *file);
 
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries(const ParameterFile & /*file*/)
+    {
+      return {};
+    }
+
     void declare(ParameterHandler &prm);
     void check() const;
   };

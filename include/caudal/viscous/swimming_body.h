@@ -4,6 +4,7 @@
 #include <caudal/fish/controller.h>
 #include <caudal/fish/gait.h>
 #include <caudal/fish/muscle.h>
+#include <caudal/fish/spine.h>
 #include <caudal/solid/elasticity.h>
 #include <caudal/solid/surface_load.h>
 #include <caudal/viscous/coupled_system.h>
@@ -16,12 +17,12 @@ namespace caudal
   template <int dim>
   struct SwimmingBodyParameters
   {
-    SolidParameters<dim> solid;
-    MuscleParameters     muscle;
-    GaitParameters       gait;
-    ControllerParameters controller;
-    std::string          lateral_frame = "domain";
-    double               gait_damping  = 1e8;
+    SolidParameters<dim>  solid;
+    MuscleParameters<dim> muscle;
+    GaitParameters        gait;
+    ControllerParameters  controller;
+    std::string           lateral_frame = "domain";
+    double                gait_damping  = 1e8;
 
     SwimmingBodyParameters(const std::string &name, const std::vector<std::string> &regions);
     void add_parameters(ParameterHandler &prm);
@@ -75,7 +76,7 @@ namespace caudal
 
     bool has_gait() const
     {
-      return gait != nullptr;
+      return gait->is_prescribed();
     }
     /** Whether a muscle or a gait moves it. */
     bool swims() const
@@ -100,11 +101,21 @@ namespace caudal
     Tensor<1, dim> get_forward_direction() const;
     double         get_activation() const
     {
-      return muscle->activation();
+      return muscle->activation(contraction);
     }
     double get_length() const
     {
       return length;
+    }
+    /** Whether muscle or gait count the arc length from x = 0 of the body's frame. */
+    bool counts_from_nose() const
+    {
+      return has_gait() || muscle->counts_from_nose();
+    }
+    /** Frequency of the beat [Hz] if parameters alone decide on it; otherwise 0. */
+    double get_beat_frequency() const
+    {
+      return has_gait() ? gait->get_beat_frequency() : muscle->get_beat_frequency();
     }
 
     /** What the next step and the reports depend on; reading back another body's state throws. */
@@ -112,7 +123,7 @@ namespace caudal
     void serialize(Archive &archive, unsigned int /*version*/)
     {
       Vector<double>              initial_positions = solid.initial_positions;
-      std::vector<double>         muscle_state      = muscle->get_state();
+      std::vector<double>         muscle_state      = muscle_memory;
       archive &initial_positions &solid.positions &solid.old_positions &solid.velocity;
       archive &solid.old_velocity &solid.force_density  &elastic_system.active_force;
       archive &muscle_work &feedback_work &muscle_power &muscle_state;
@@ -137,13 +148,16 @@ namespace caudal
     double power_identity = 0;
 
   private:
-    const SwimmingBodyParameters<dim> &parameters;
-    double                             length;
-    std::unique_ptr<Muscle<dim>>       muscle;
-    std::unique_ptr<Gait<dim>>         gait;
-    std::unique_ptr<Controller>        controller;
-    SurfaceLoad<dim>                   surface_load;
-    unsigned int                       lateral_point = 0;
+    const SwimmingBodyParameters<dim>     &parameters;
+    double                                 length;
+    std::unique_ptr<Muscle<dim>>           muscle;
+    std::unique_ptr<Gait>                  gait;
+    std::unique_ptr<PrescribedMotion<dim>> gait_motion; // of the nodes
+    std::unique_ptr<Controller>            controller;
+    MuscleMemory                           muscle_memory;
+    Contraction                            contraction;
+    SurfaceLoad<dim>                       surface_load;
+    unsigned int                           lateral_point = 0;
 
     /** Throws if muscle or gait count s from another place than the body's nose. */
     void         check_nose() const;
