@@ -86,7 +86,7 @@ namespace
   template <class Swimmer>
   Exit run_model(ParameterFile &file, const CommandLine &command_line)
   {
-    file.rename(Swimmer::Parameters::get_renamed_entries(file));
+    file.rename(Swimmer::Parameters::get_renamed_entries());
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
     if (command_line.action == Action::verify_restart)

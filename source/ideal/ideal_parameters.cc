@@ -113,28 +113,29 @@ namespace caudal
                   "Give a number from 1e-14 to 1e-2.");
   }
 
-  std::vector<RenamedEntry> IdealParameters::get_renamed_entries(const ParameterFile &file)
-  {
-    const std::string body = IdealParameters(&file).get_body_path();
-    return {{"Shape/Stations", body + "/Shape/Stations/Table"},
-            {"Shape/Stations file", body + "/Shape/Stations/File"},
-            {"Shape/Interpolation", body + "/Shape/Stations/Interpolation"},
-            {"Shape/Axes", body + "/Shape/Ellipsoid/Axes"},
-            {"Shape", body + "/Shape"},
-            {"Surface/File", body + "/Shape/File/Name"},
-            {"Gait/Type", body + "/Gait/Type", "curvature", "curvature wave"},
-            {"Gait/Amplitude", body + "/Gait/Sine/Amplitude"},
-            {"Gait/Curvature", body + "/Gait/Curvature wave/Amplitude"},
-            {"Gait", body + "/Gait"},
-            {"Body", body}};
-  }
-
   IdealParameters::IdealParameters(const ParameterFile *file)
       : body_name(file ? file->get("Bodies", "fish") : "<name>")
   {
     AssertThrow(!body_name.empty() && body_name.find(',') == std::string::npos,
                 ExcMessage("Bodies: the value is <" + body_name +
                            ">. Give one name: the ideal fluid has one body."));
+  }
+
+  std::vector<RenamedEntry> IdealParameters::get_renamed_entries()
+  {
+    // Before bodies had names, there was one, which is called by default as its fields are.
+    const std::string shape = "Body fish/Shape/", gait = "Body fish/Gait/";
+    return {{"Shape/Stations", shape + "Stations/Table"},
+            {"Shape/Stations file", shape + "Stations/File"},
+            {"Shape/Interpolation", shape + "Stations/Interpolation"},
+            {"Shape/Axes", shape + "Ellipsoid/Axes"},
+            {"Surface/File", shape + "File/Name"},
+            {"Gait/Type", gait + "Type", "curvature", "curvature wave"},
+            {"Gait/Amplitude", gait + "Sine/Amplitude"},
+            {"Gait/Curvature", gait + "Curvature wave/Amplitude"},
+            {"Shape", "Body fish/Shape"},
+            {"Gait", "Body fish/Gait"},
+            {"Body", "Body fish"}};
   }
 
   void IdealParameters::declare(ParameterHandler &prm)

@@ -83,8 +83,8 @@ namespace caudal
     /** The body is the one that @p file names; without a file it is called <name>. */
     explicit IdealParameters(const ParameterFile *file);
 
-    /** Entries that had other names in earlier versions, in the file that sets them. */
-    static std::vector<RenamedEntry> get_renamed_entries(const ParameterFile &file);
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     void declare(ParameterHandler &prm);
     void check() const;

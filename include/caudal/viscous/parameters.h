@@ -46,7 +46,7 @@ namespace caudal
     explicit RunParameters(const ParameterFile *file);
 
     /** Entries that had other names in earlier versions. */
-    static std::vector<RenamedEntry> get_renamed_entries(const ParameterFile & /*file*/)
+    static std::vector<RenamedEntry> get_renamed_entries()
     {
       return {};
     }
