@@ -136,6 +136,23 @@ namespace caudal
                            ">. Give one name: the ideal fluid has one body."));
   }
 
+  std::vector<RenamedEntry> PotentialParameters::get_renamed_entries()
+  {
+    // Before bodies had names, there was one, which is called by default as its fields are.
+    const std::string shape = "Body fish/Shape/", gait = "Body fish/Gait/";
+    return {{"Shape/Stations", shape + "Stations/Table"},
+            {"Shape/Stations file", shape + "Stations/File"},
+            {"Shape/Interpolation", shape + "Stations/Interpolation"},
+            {"Shape/Axes", shape + "Ellipsoid/Axes"},
+            {"Surface/File", shape + "File/Name"},
+            {"Gait/Type", gait + "Type", "curvature", "curvature wave"},
+            {"Gait/Amplitude", gait + "Sine/Amplitude"},
+            {"Gait/Curvature", gait + "Curvature wave/Amplitude"},
+            {"Shape", "Body fish/Shape"},
+            {"Gait", "Body fish/Gait"},
+            {"Body", "Body fish"}};
+  }
+
   void PotentialParameters::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
