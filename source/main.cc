@@ -188,7 +188,7 @@ namespace
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
       return model == "potential"
-                 ? print_model_parameters(PotentialParameters(), command_line.format)
+                 ? print_model_parameters(PotentialParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);

@@ -1,6 +1,8 @@
 #include <caudal/fish/force_table.h>
 #include <caudal/fish/number_table.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

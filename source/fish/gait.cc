@@ -61,6 +61,14 @@ namespace caudal
     return {{argument}, {1.}};
   }
 
+  std::vector<double> Gait::describe_shape(const double argument) const
+  {
+    std::vector<double> places;
+    for (unsigned int i = 0; i <= 20; ++i)
+      places.push_back(length * i / 20);
+    return compute_angles(places, evaluate(argument).c).theta;
+  }
+
   std::vector<Gait::Inclination> Gait::compute_inclinations(const std::vector<double> &s,
                                                             const double) const
   {
@@ -122,6 +130,11 @@ namespace caudal
       state.c[i] *= growth;
     }
     return state;
+  }
+
+  std::vector<double> ModalGait::describe_shape(const double argument) const
+  {
+    return evaluate(argument).c;
   }
 
   SpineAngles ModalGait::compute_angles(const std::vector<double> &s, const std::vector<double> &c,
@@ -237,18 +250,14 @@ namespace caudal
   {
     if (!gait.is_periodic())
       return false;
-    std::vector<double> places;
-    for (unsigned int i = 0; i <= 20; ++i)
-      places.push_back(gait.get_length() * i / 20);
-    const Samples theta = sample(
-        [&](const double psi) { return gait.compute_angles(places, gait.evaluate(psi).c).theta; });
+    const Samples shapes = sample([&](const double psi) { return gait.describe_shape(psi); });
     // Played backwards from one phase and forwards from another one it is the same.
     for (unsigned int shift = 0; shift < n_samples; ++shift)
     {
       double distance = 0.;
       for (unsigned int k = 0; k < n_samples && distance < tolerance; ++k)
         distance = std::max(
-            distance, compute_distance(theta[k], theta[(shift + n_samples - k) % n_samples], 1.));
+            distance, compute_distance(shapes[k], shapes[(shift + n_samples - k) % n_samples], 1.));
       if (distance < tolerance)
         return true;
     }

@@ -58,7 +58,10 @@ namespace caudal
 
   void PotentialBodyParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection("Body");
+    prm.enter_subsection("Shape");
+    shape.add_entries(prm);
+    prm.leave_subsection();
+    gait.add_parameters(prm);
     prm.add_parameter("Density", density, "Uniform density [kg/m^3]; 0: that of the fluid.");
     prm.add_parameter("Linear impulse", linear_impulse,
                       "Of body and fluid at the start, along x, y, z [kg m/s]; the motion of a "
@@ -66,17 +69,18 @@ namespace caudal
                       Patterns::List(Patterns::Double(), 3, 3));
     prm.add_parameter("Angular impulse", angular_impulse, "The same about the nose [kg m^2/s].",
                       Patterns::List(Patterns::Double(), 3, 3));
-    prm.leave_subsection();
   }
 
-  void PotentialBodyParameters::check() const
+  void PotentialBodyParameters::check(const std::string &path) const
   {
-    check_value("Body/Density", density, density >= 0.,
+    shape.check(path + "/Shape");
+    gait.check(path);
+    check_value(path + "/Density", density, density >= 0.,
                 "a positive density [kg/m^3], or 0 for that of the fluid");
     for (const double component : linear_impulse)
-      check_value("Body/Linear impulse", component, true, "finite numbers");
+      check_value(path + "/Linear impulse", component, true, "finite numbers");
     for (const double component : angular_impulse)
-      check_value("Body/Angular impulse", component, true, "finite numbers");
+      check_value(path + "/Angular impulse", component, true, "finite numbers");
   }
 
   bool PotentialBodyParameters::is_from_rest() const
@@ -124,6 +128,14 @@ namespace caudal
                 "a number from 1e-14 to 1e-2");
   }
 
+  PotentialParameters::PotentialParameters(const ParameterFile *file)
+      : body_name(file ? file->get("Bodies", "fish") : "<name>")
+  {
+    AssertThrow(!body_name.empty() && body_name.find(',') == std::string::npos,
+                ExcMessage("Bodies: the value is <" + body_name +
+                           ">. Give one name: the ideal fluid has one body."));
+  }
+
   void PotentialParameters::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
@@ -132,13 +144,15 @@ namespace caudal
                       Patterns::Selection("potential"));
     declare_libraries(prm);
     time.add_parameters(prm);
-    shape.add_parameters(prm);
+    prm.add_parameter("Bodies", body_name, "Name of the body, which has a section `Body <name>`.",
+                      Patterns::Anything());
+    prm.enter_subsection(get_body_path());
+    body.add_parameters(prm);
+    prm.leave_subsection();
     surface.add_parameters(prm);
-    gait.add_parameters(prm);
     prm.enter_subsection("Fluid");
     prm.add_parameter("Density", fluid_density, "Density of the fluid [kg/m^3].");
     prm.leave_subsection();
-    body.add_parameters(prm);
     integration.add_parameters(prm);
     resistance.add_parameters(prm);
     output.add_parameters(prm);
@@ -148,11 +162,9 @@ namespace caudal
   void PotentialParameters::check() const
   {
     time.check();
-    shape.check();
     surface.check();
-    gait.check();
     check_value("Fluid/Density", fluid_density, fluid_density > 0., "a positive density [kg/m^3]");
-    body.check();
+    body.check(get_body_path());
     integration.check();
     resistance.check();
     output.check();

@@ -1,5 +1,7 @@
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/ideal/bending_body.h>
+#include <caudal/ideal/mesh_body.h>
 #include <caudal/ideal/phase_table.h>
 #include <caudal/ideal/potential_swim.h>
 #include <caudal/ideal/potential_swimmer.h>
@@ -35,16 +37,30 @@ namespace caudal
       file.close();
       AssertThrow(file, ExcMessage("The file <" + file_name + "> can't be written."));
     }
+
+    SurfaceParameters with_file(SurfaceParameters surface, const std::string &file)
+    {
+      surface.file = file;
+      return surface;
+    }
+
+    std::unique_ptr<StraightBody> make_straight_body(const PotentialParameters &parameters,
+                                                     const Surface             &surface)
+    {
+      if (surface.is_from_file())
+        return std::make_unique<MeshBody>(surface);
+      return parameters.body.shape.make_straight_body(parameters.get_body_path() + "/Shape");
+    }
   } // namespace
 
   PotentialSwimmer::PotentialSwimmer(const PotentialParameters &parameters,
                                      const MPI_Comm             communicator)
       : parameters(parameters)
       , communicator(communicator)
-      , surface(parameters.surface)
-      , gait(create_gait(parameters.gait))
-      , shape(create_shape(parameters.shape, surface))
-      , deformation(gait->create_deformation(surface, *shape))
+      , surface(with_file(parameters.surface, parameters.body.shape.type.get().get_file()))
+      , shape(make_straight_body(parameters, surface))
+      , gait(parameters.body.gait.create(shape->get_length()))
+      , deformation(std::make_unique<BendingBody>(surface, *shape, *gait))
       , checkpoints(parameters.checkpoint, communicator)
   {
     check_shape();

@@ -35,11 +35,11 @@ namespace caudal::ideal
       {
         const auto opposite = edges.find({edge.second, edge.first});
         AssertThrow(count == 1,
-                    ExcMessage("Surface/File: the mesh <" + file_name +
+                    ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is inverted in a part: two neighbouring quadrilaterals have "
                                "opposite normals. Orient all of them outwards."));
         AssertThrow(opposite != edges.end(),
-                    ExcMessage("Surface/File: the mesh <" + file_name +
+                    ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is open: an edge belongs to one quadrilateral only. Close the "
                                "surface and merge nodes that coincide."));
       }
@@ -70,11 +70,6 @@ namespace caudal::ideal
                       "two ends of the body [1]. There are 4 along across + 2 across^2 cells and "
                       "16 along across + 8 across^2 + 2 nodes, each with an unknown (`panels`).",
                       Patterns::Integer(1));
-    prm.add_parameter("File", file,
-                      "A closed mesh of quadrilaterals, outward oriented, as the surface of the "
-                      "straight body: nose at the smallest x, x towards the tail, y lateral, z "
-                      "dorsal [m]; .msh, .ucd or .vtk. Its flat cells are not curved. Needs "
-                      "Shape/Type = file.");
     prm.leave_subsection();
   }
 
@@ -113,7 +108,7 @@ namespace caudal::ideal
   void Surface::read(const std::string &file_name)
   {
     std::ifstream stream(file_name);
-    AssertThrow(stream, ExcMessage("Surface/File: the mesh <" + file_name +
+    AssertThrow(stream, ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                    "> can't be read. Give an existing file."));
     try
     {
@@ -122,13 +117,13 @@ namespace caudal::ideal
     }
     catch (const ExceptionBase &exception)
     {
-      AssertThrow(false, ExcMessage("Surface/File: the mesh <" + file_name +
+      AssertThrow(false, ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                     "> can't be understood. Give a mesh of quadrilaterals in "
                                     "three dimensions (.msh, .ucd, .vtk)."));
     }
     check_closed(triangulation, file_name);
     AssertThrow(compute_volume(triangulation) > 0.,
-                ExcMessage("Surface/File: the mesh <" + file_name +
+                ExcMessage("Shape/File/Name: the mesh <" + file_name +
                            "> is inverted: its normals point into the body. Reverse the order of "
                            "the nodes of each cell."));
   }

@@ -18,11 +18,11 @@ namespace
     Setup()
         : parameters("test", {"front", "back"})
     {
-      parameters.grid.type              = "beam";
-      parameters.grid.thickness         = 0.3;
-      parameters.grid.width             = 0.4;
-      parameters.grid.elements          = std::vector<unsigned int>(dim, 2);
-      parameters.grid.region_boundaries = {0.5};
+      parameters.grid.shape.type.set_name("beam");
+      parameters.grid.shape.lengths.thickness = 0.3;
+      parameters.grid.shape.lengths.width     = 0.4;
+      parameters.grid.divisions.elements          = std::vector<unsigned int>(dim, 2);
+      parameters.grid.divisions.region_boundaries = {0.5};
       parameters.grid.rotation          = 30;
       parameters.polynomial_degree      = 2;
       MaterialParameters<dim> &front    = parameters.region_parameters[0]->material;

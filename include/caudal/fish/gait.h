@@ -84,6 +84,9 @@ namespace caudal
     /** The coordinates at the phase [rad] or time [s]. */
     virtual GaitState evaluate(double argument) const;
 
+    /** Numbers that are the same for two arguments if the spine is the same. */
+    virtual std::vector<double> describe_shape(double argument) const;
+
     /**
      * The spine's angles at the places @p s [m] for the coordinates @p c; with @p rates also
      * the rates of their derivatives. Here by differences of fourth order.
@@ -118,7 +121,8 @@ namespace caudal
   class ModalGait : public Gait
   {
   public:
-    GaitState   evaluate(double argument) const final;
+    GaitState           evaluate(double argument) const final;
+    std::vector<double> describe_shape(double argument) const final;
     SpineAngles compute_angles(const std::vector<double> &s, const std::vector<double> &c,
                                const std::vector<double> &rates = {}) const final;
 

@@ -2,13 +2,13 @@
 #define caudal_ideal_potential_parameters_h
 
 #include <caudal/base/parameter_file.h>
-#include <caudal/ideal/gait.h>
+#include <caudal/fish/gait.h>
 #include <caudal/ideal/kirchhoff.h>
 #include <caudal/ideal/resistance.h>
-#include <caudal/ideal/shape.h>
 #include <caudal/ideal/surface.h>
 #include <caudal/io/checkpoint_folder.h>
 #include <caudal/io/field_output.h>
+#include <caudal/mesh/shape.h>
 
 namespace caudal
 {
@@ -29,15 +29,17 @@ namespace caudal
     std::vector<double> get_times() const;
   };
 
-  /** Section `Body`. */
+  /** Section `Body <name>`: the swimmer at rest and how it moves. */
   struct PotentialBodyParameters
   {
+    ShapeParameters<3>  shape{"stations", 0.1};
+    GaitParameters      gait{"arctangent"};
     double              density         = 0.; // 0: that of the fluid
     std::vector<double> linear_impulse  = {0., 0., 0.};
     std::vector<double> angular_impulse = {0., 0., 0.};
 
     void add_parameters(ParameterHandler &prm);
-    void check() const;
+    void check(const std::string &path) const;
     bool is_from_rest() const;
 
     /** (Lambda, Pi) at the start. */
@@ -64,25 +66,22 @@ namespace caudal
      * in the middle of a run, as a regular expression.
      */
     static constexpr const char *fixed_entries =
-        "Model|Shape/.*|Surface/.*|Gait/.*|Body/.*|Fluid/Density|Integration/Torques|"
+        "Model|Bodies|Body .*|Surface/.*|Fluid/Density|Integration/Torques|"
         "Resistance/Active|Output/Format";
 
     std::string                 model         = "potential";
+    std::string                 body_name;
     double                      fluid_density = 1000.;
     OutputSchedule              time;
-    ideal::ShapeParameters      shape;
     ideal::SurfaceParameters    surface;
-    ideal::GaitParameters       gait;
     PotentialBodyParameters     body;
     IntegrationParameters       integration;
     ideal::ResistanceParameters resistance;
     OutputParameters            output;
     CheckpointParameters        checkpoint;
 
-    PotentialParameters() = default;
-
-    /** Its sections are the same for each file. */
-    explicit PotentialParameters(const ParameterFile *) {}
+    /** The body is the one that @p file names; without a file it is called <name>. */
+    explicit PotentialParameters(const ParameterFile *file);
 
     /** Entries that had other names in earlier versions. */
     static std::vector<RenamedEntry> get_renamed_entries()
@@ -94,6 +93,11 @@ namespace caudal
     void check() const;
 
     ideal::Densities get_densities() const;
+
+    std::string get_body_path() const
+    {
+      return "Body " + body_name;
+    }
   };
 } // namespace caudal
 

@@ -58,8 +58,8 @@ namespace caudal
     const PotentialParameters                &parameters;
     const MPI_Comm                            communicator;
     const ideal::Surface                      surface;
-    const std::unique_ptr<ideal::Gait>        gait;
-    const std::unique_ptr<ideal::Shape>       shape;
+    const std::unique_ptr<StraightBody>       shape;
+    const std::unique_ptr<Gait>               gait;
     const std::unique_ptr<ideal::Deformation> deformation;
     std::unique_ptr<ideal::SwimmingShape>     swimming_shape;
     CheckpointWriter                          checkpoints;

@@ -1,8 +1,9 @@
 #ifndef caudal_ideal_stroke_model_h
 #define caudal_ideal_stroke_model_h
 
+#include <caudal/fish/gait.h>
 #include <caudal/ideal/boundary_elements.h>
-#include <caudal/ideal/gait.h>
+#include <caudal/ideal/deformation.h>
 #include <caudal/ideal/trigonometric_table.h>
 
 #include <deal.II/base/symmetric_tensor.h>

@@ -1,4 +1,8 @@
-#include <caudal/ideal/pulsating_sphere.h>
+#ifndef caudal_tests_ideal_pulsating_sphere_h
+#define caudal_tests_ideal_pulsating_sphere_h
+
+#include <caudal/fish/gait.h>
+#include <caudal/ideal/deformation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -6,17 +10,68 @@
 
 namespace caudal::ideal
 {
-  namespace
+  /**
+   * A sphere of radius a with two axisymmetric modes along e_1,
+   *   R = a (1 + eps (c_1 P_n(mu) + c_2 P_(n+1)(mu))) / N,   mu = X_1/|X|,
+   * N such that the volume is that of the sphere. It is of uniform density at all times: the
+   * centre of mass is that of the volume. The kinetic energy of the motion inside, relative to
+   * the centre of mass, is left out, as it does not affect the motion of the whole.
+   */
+  class PulsatingSphere : public Deformation
   {
-    /** For integrals over mu from -1 to 1. */
-    const QGauss<1> &get_quadrature()
-    {
-      static const QGauss<1> quadrature(48);
-      return quadrature;
-    }
-  } // namespace
+  public:
+    PulsatingSphere(const Surface &surface, double radius, double amplitude, unsigned int order);
 
-  PulsatingSphere::PulsatingSphere(const Surface &surface, const double radius,
+    unsigned int       n_modes() const override;
+    SurfaceMotion      place(const std::vector<double> &c) const override;
+    FullMatrix<double> compute_body_mass(const std::vector<double> &c) const override;
+    double             compute_bend(const std::vector<double> &c) const override;
+    bool               is_symmetric() const override;
+    double             get_length() const override;
+
+  private:
+    /** R(mu) and dR/dc_i [m] without and with the factor 1/N. */
+    struct Radius
+    {
+      double value, derivatives[2];
+    };
+    Radius get_raw_radius(double mu, const std::vector<double> &c) const;
+    Radius get_scale(const std::vector<double> &c) const;
+    Radius get_radius(double mu, const std::vector<double> &c, const Radius &scale) const;
+
+    const std::vector<Point<3>> directions; // of the surface's nodes
+    const double                radius, amplitude;
+    const unsigned int          order;
+  };
+  /** Its gait: c = (cos psi, sin psi). */
+  class PulsatingGait : public ModalGait
+  {
+  public:
+    unsigned int n_coordinates() const override
+    {
+      return 2;
+    }
+
+  protected:
+    GaitState evaluate_stroke(const double psi) const override
+    {
+      return {{std::cos(psi), std::sin(psi)}, {-std::sin(psi), std::cos(psi)}};
+    }
+
+    double mode(const unsigned int, const double) const override
+    {
+      return 0.; // the sphere has no spine
+    }
+  };
+
+  /** For integrals over mu from -1 to 1. */
+  inline const QGauss<1> &get_quadrature()
+  {
+    static const QGauss<1> quadrature(48);
+    return quadrature;
+  }
+
+  inline PulsatingSphere::PulsatingSphere(const Surface &surface, const double radius,
                                    const double amplitude, const unsigned int order)
       : directions(surface.get_reference_points())
       , radius(radius)
@@ -24,28 +79,28 @@ namespace caudal::ideal
       , order(order)
   {}
 
-  unsigned int PulsatingSphere::n_modes() const
+  inline unsigned int PulsatingSphere::n_modes() const
   {
     return 2;
   }
 
-  bool PulsatingSphere::is_symmetric() const
+  inline bool PulsatingSphere::is_symmetric() const
   {
     return false;
   }
 
-  double PulsatingSphere::get_length() const
+  inline double PulsatingSphere::get_length() const
   {
     return 2. * radius;
   }
 
-  double PulsatingSphere::compute_bend(const std::vector<double> &c) const
+  inline double PulsatingSphere::compute_bend(const std::vector<double> &c) const
   {
     get_scale(c); // throws if the radius is negative
     return 0.;
   }
 
-  PulsatingSphere::Radius PulsatingSphere::get_raw_radius(const double               mu,
+  inline PulsatingSphere::Radius PulsatingSphere::get_raw_radius(const double               mu,
                                                           const std::vector<double> &c) const
   {
     const double first  = radius * amplitude * std::legendre(order, mu);
@@ -53,7 +108,7 @@ namespace caudal::ideal
     return {radius + c[0] * first + c[1] * second, {first, second}};
   }
 
-  PulsatingSphere::Radius PulsatingSphere::get_scale(const std::vector<double> &c) const
+  inline PulsatingSphere::Radius PulsatingSphere::get_scale(const std::vector<double> &c) const
   {
     // The mean of R^3 is to be a^3.
     double cubes = 0., derivatives[2] = {0., 0.};
@@ -61,8 +116,7 @@ namespace caudal::ideal
     {
       const Radius R = get_raw_radius(2. * get_quadrature().point(q)[0] - 1., c);
       AssertThrow(R.value > 0.,
-                  ExcMessage("Gait/Deforming sphere/Amplitude: the radius becomes negative. "
-                             "Reduce the amplitude."));
+                  ExcMessage("The radius of the sphere becomes negative."));
       const double weight = get_quadrature().weight(q);
       cubes += weight * R.value * R.value * R.value;
       for (unsigned int i = 0; i < 2; ++i)
@@ -73,7 +127,7 @@ namespace caudal::ideal
             {-scale * derivatives[0] / (3. * cubes), -scale * derivatives[1] / (3. * cubes)}};
   }
 
-  PulsatingSphere::Radius PulsatingSphere::get_radius(const double mu, const std::vector<double> &c,
+  inline PulsatingSphere::Radius PulsatingSphere::get_radius(const double mu, const std::vector<double> &c,
                                                       const Radius &scale) const
   {
     const Radius raw = get_raw_radius(mu, c);
@@ -84,7 +138,7 @@ namespace caudal::ideal
     return result;
   }
 
-  SurfaceMotion PulsatingSphere::place(const std::vector<double> &c) const
+  inline SurfaceMotion PulsatingSphere::place(const std::vector<double> &c) const
   {
     const Radius  scale = get_scale(c);
     SurfaceMotion motion;
@@ -100,7 +154,7 @@ namespace caudal::ideal
     return motion;
   }
 
-  FullMatrix<double> PulsatingSphere::compute_body_mass(const std::vector<double> &c) const
+  inline FullMatrix<double> PulsatingSphere::compute_body_mass(const std::vector<double> &c) const
   {
     const double volume = 4. / 3. * numbers::PI * radius * radius * radius;
     const Radius scale  = get_scale(c);
@@ -137,3 +191,5 @@ namespace caudal::ideal
     return mass;
   }
 } // namespace caudal::ideal
+
+#endif

@@ -1,6 +1,6 @@
 #include <deal.II/grid/grid_tools.h>
 
-#include <caudal/mesh/outline.h>
+#include <caudal/fish/outline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,42 +23,6 @@ namespace caudal
     const double slope = camber_slope(s);
     const double h     = half_thickness(s) / std::sqrt(1. + slope * slope);
     return Point<2>(s - eta * h * slope, camber(s) + eta * h);
-  }
-
-  NacaOutline::NacaOutline(const std::string &digits)
-      : largest_camber(0.01 * (digits.at(0) - '0'))
-      , camber_position(0.1 * (digits.at(1) - '0'))
-      , thickness(0.01 * std::stoi(digits.substr(2, 2)))
-  {}
-
-  double NacaOutline::half_thickness(const double s) const
-  {
-    return 5. * thickness *
-           (0.2969 * std::sqrt(s) + s * (-0.1260 + s * (-0.3516 + s * (0.2843 - s * 0.1015))));
-  }
-
-  double NacaOutline::camber(const double s) const
-  {
-    const double m = largest_camber, p = camber_position;
-    if (s < p)
-      return m / (p * p) * (2. * p * s - s * s);
-    return m / ((1. - p) * (1. - p)) * (1. - 2. * p + 2. * p * s - s * s);
-  }
-
-  double NacaOutline::camber_slope(const double s) const
-  {
-    const double m = largest_camber, p = camber_position;
-    return 2. * m * (p - s) / (s < p ? p * p : (1. - p) * (1. - p));
-  }
-
-  double EelOutline::half_thickness(const double s) const
-  {
-    const double w_h = 0.04, s_b = 0.04, w_t = 0.01, s_t = 0.95, w_tip = 0.1 * w_t;
-    if (s < s_b)
-      return std::sqrt(s * (2. * w_h - s));
-    if (s < s_t)
-      return w_h - (w_h - w_t) * (s - s_b) / (s_t - s_b);
-    return w_t - (w_t - w_tip) * (s - s_t) / (1. - s_t);
   }
 
   namespace
@@ -97,36 +61,6 @@ namespace caudal
     shoulder =
         bisect([&](const double s) { return (outline.half_thickness(s) - corner) - (core - s); },
                0., core);
-  }
-
-  std::vector<double> compute_stations(const double               first,
-                                       const std::vector<double> &region_boundaries,
-                                       const unsigned int         n_columns)
-  {
-    const unsigned int n_regions = region_boundaries.size() + 1;
-    AssertThrow(n_columns >= n_regions, ExcMessage("Each region needs a column of cells."));
-
-    std::vector<double> stations(1, first);
-    for (unsigned int region = 0; region < n_regions; ++region)
-    {
-      const double begin = stations.back();
-      const double end   = region + 1 < n_regions ? region_boundaries[region] : 1.;
-
-      const unsigned int done = stations.size() - 1;
-      const unsigned int last =
-          std::clamp<long>(std::lround(n_columns * (end - first) / (1. - first)), done + 1,
-                           n_columns - (n_regions - 1 - region));
-      for (unsigned int i = done + 1; i < last; ++i)
-        stations.push_back(begin + (end - begin) * (i - done) / (last - done));
-      stations.push_back(end);
-    }
-    return stations;
-  }
-
-  unsigned int get_region(const double s, const std::vector<double> &region_boundaries)
-  {
-    return std::upper_bound(region_boundaries.begin(), region_boundaries.end(), s) -
-           region_boundaries.begin();
   }
 
   namespace
@@ -171,7 +105,7 @@ namespace caudal
                                 const std::vector<double> &region_boundaries,
                                 const unsigned int n_along, const unsigned int n_across)
     {
-      const std::vector<double> stations = compute_stations(nose.core, region_boundaries, n_along);
+      const std::vector<double> stations = compute_columns(nose.core, region_boundaries, n_along);
       const double              fade_end =
           std::min(10. * nose.core, region_boundaries.empty() ? 1. : region_boundaries.front());
       const double core_eta = static_cast<double>(nose.n_core) / n_across;
@@ -245,4 +179,42 @@ namespace caudal
     GridTools::consistently_order_cells(grid.cells);
     tria.create_triangulation(grid.vertices, grid.cells, SubCellData());
   }
+
+  template <int dim>
+  bool SlenderShape<dim>::has_grid() const
+  {
+    return dim == 2;
+  }
+
+  template <int dim>
+  void SlenderShape<dim>::check_lengths(const ShapeLengths &lengths, const std::string &path) const
+  {
+    require_positive(lengths.length, path, "Length");
+  }
+
+  template <int dim>
+  void SlenderShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
+                                          const std::string &path) const
+  {
+    require(divisions.elements[1] >= 4, path, "Elements",
+            "there are " + std::to_string(divisions.elements[1]) +
+                " elements across the body. Give at least four: they wrap round the nose.");
+    const auto &boundaries = divisions.region_boundaries;
+    const Nose  nose(*make_outline(), divisions.elements[1]);
+    require(boundaries.empty() || boundaries.front() > nose.core, path, "Region boundaries",
+            "the first one lies within the round nose of the grid, which ends at " +
+                std::to_string(nose.core) + ". Give a larger fraction.");
+  }
+
+  template <int dim>
+  void SlenderShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
+                                    const std::string &, Triangulation<dim> &tria) const
+  {
+    if constexpr (dim == 2)
+      make_outline_grid(tria, *make_outline(), lengths.length, divisions.region_boundaries,
+                        divisions.elements[0], divisions.elements[1]);
+  }
+
+  template class SlenderShape<2>;
+  template class SlenderShape<3>;
 } // namespace caudal
