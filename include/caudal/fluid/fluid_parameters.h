@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ namespace caudal
     std::vector<Point<dim>> control_volume;
     std::vector<Point<dim>> probes;
 
-    SharedInflow                                inflow;
-    std::vector<Choice<BoundaryCondition<dim>>> sides; // by boundary id
+    SharedInflow                               inflow;
+    std::deque<Choice<BoundaryCondition<dim>>> sides; // by boundary id
 
     FluidParameters();
     void add_parameters(ParameterHandler &prm);
