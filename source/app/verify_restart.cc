@@ -2,7 +2,7 @@
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/io/safe_file.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -59,7 +59,7 @@ namespace caudal
       return differences.str();
     }
 
-    std::string compare_states(const PotentialState &whole, const PotentialState &resumed)
+    std::string compare_states(const IdealState &whole, const IdealState &resumed)
     {
       std::ostringstream differences;
       if (whole.step_number != resumed.step_number)
@@ -207,7 +207,7 @@ namespace caudal
              print(allowed) + " of the largest.";
     }
 
-    std::string verify(ModelRun<PotentialSwimmer> &run, const std::string &base,
+    std::string verify(ModelRun<IdealSwimmer> &run, const std::string &base,
                        const unsigned int n_steps, const MPI_Comm communicator)
     {
       const auto [state, differences] = compare_halves(run, base, n_steps, communicator);
@@ -231,6 +231,5 @@ namespace caudal
                                                           MPI_Comm);
   template std::string verify_restart<ImmersedSwimmer<3>>(const ParameterFile &, unsigned int,
                                                           MPI_Comm);
-  template std::string verify_restart<PotentialSwimmer>(const ParameterFile &, unsigned int,
-                                                        MPI_Comm);
+  template std::string verify_restart<IdealSwimmer>(const ParameterFile &, unsigned int, MPI_Comm);
 } // namespace caudal

@@ -19,15 +19,15 @@ namespace
         : parameters("test", {"front", "back"})
     {
       parameters.grid.shape.type.set_name("beam");
-      parameters.grid.shape.lengths.thickness = 0.3;
-      parameters.grid.shape.lengths.width     = 0.4;
+      parameters.grid.shape.lengths.thickness     = 0.3;
+      parameters.grid.shape.lengths.width         = 0.4;
       parameters.grid.divisions.elements          = std::vector<unsigned int>(dim, 2);
       parameters.grid.divisions.region_boundaries = {0.5};
-      parameters.grid.rotation          = 30;
-      parameters.polynomial_degree      = 2;
-      MaterialParameters<dim> &front    = parameters.region_parameters[0]->material;
-      front.moduli.youngs_modulus       = 3;
-      MaterialParameters<dim> &back     = parameters.region_parameters[1]->material;
+      parameters.grid.rotation                    = 30;
+      parameters.polynomial_degree                = 2;
+      MaterialParameters<dim> &front              = parameters.region_parameters[0]->material;
+      front.moduli.youngs_modulus                 = 3;
+      MaterialParameters<dim> &back               = parameters.region_parameters[1]->material;
       back.material.set_name("St. Venant-Kirchhoff");
       back.moduli.shear_modulus = 2;
       body                      = std::make_unique<SolidBody<dim>>(parameters, 1.);
