@@ -47,7 +47,8 @@ namespace caudal
                 ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
                            ". Give a positive number."));
     AssertThrow(controller.type.get_name() == "none" || muscle.type.get_name() != "none",
-                ExcMessage(path + "/Controller/Type: the controller <" + controller.type.get_name() +
+                ExcMessage(path + "/Controller/Type: the controller <" +
+                           controller.type.get_name() +
                            "> acts on the muscle, and there is none. Give Muscle/Type, or no "
                            "controller."));
     AssertThrow(!controller.type.get().steers() || muscle.type.get().can_steer(),
@@ -75,14 +76,13 @@ namespace caudal
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
       region_ids[parameters.solid.regions[r]] = r;
     muscle = parameters.muscle.create(length, region_ids);
-    if (parameters.gait.type.get().is_prescribed())
-      gait = parameters.gait.create(length);
+    gait   = parameters.gait.create(length);
     check_nose();
     if (swims())
-      lateral_point = solid.add_point(
-          Point<dim>(parameters.muscle.shared.monitored_point * length *
-                     Point<dim>::unit_vector(0)),
-          solid.get_parameters().get_path() + "/Muscle/Monitored point");
+      lateral_point =
+          solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * length *
+                                     Point<dim>::unit_vector(0)),
+                          solid.get_parameters().get_path() + "/Muscle/Monitored point");
 
     loads.push_back(make_elastic_load(solid));
     loads.push_back(make_feedback_load(solid));
@@ -105,7 +105,7 @@ namespace caudal
   {
     const double nose = GridTools::compute_bounding_box(solid.get_triangulation()).lower_bound(0);
     AssertThrow(
-        !(has_gait() || muscle->counts_from_nose()) || std::abs(nose) < 1e-3 * length,
+        !counts_from_nose() || std::abs(nose) < 1e-3 * length,
         ExcMessage(solid.get_parameters().get_path() +
                    "/Shape: muscle and gait count s from x = 0 of the body's frame, but the "
                    "shape begins at x = " +
@@ -126,8 +126,7 @@ namespace caudal
   }
 
   template <int dim>
-  void Body<dim>::check_state(const BodyState      &state,
-                              const Vector<double> &initial_positions) const
+  void Body<dim>::check_state(const BodyState &state, const Vector<double> &initial_positions) const
   {
     AssertThrow(initial_positions == solid.get_initial_positions(),
                 ExcMessage("Body " + get_name() +
@@ -147,16 +146,18 @@ namespace caudal
   }
 
   template <int dim>
-  Vector<double> Body<dim>::compute_force(const BodyMotion &motion, BodyResponse &response) const
+  std::map<LoadAccount, Vector<double>> Body<dim>::compute_forces(const BodyMotion &motion,
+                                                                  BodyResponse     *response) const
   {
-    Vector<double> force(solid.n_dofs());
+    std::map<LoadAccount, Vector<double>> forces;
     for (const auto &load : loads)
     {
-      Vector<double> part(solid.n_dofs());
-      load->add(motion, part, &response);
-      force += part;
+      Vector<double> &force = forces[load->get_account()];
+      if (force.size() == 0)
+        force.reinit(solid.n_dofs());
+      load->add(motion, force, response);
     }
-    return force;
+    return forces;
   }
 
   template <int dim>
@@ -223,8 +224,7 @@ namespace caudal
     if (!swims())
       return state.contraction;
     const SwimmerState swimmer = get_swimmer_state(state, time, step);
-    return muscle->contract(state.contraction.after, swimmer,
-                            controller->compute_command(swimmer));
+    return muscle->contract(state.contraction.after, swimmer, controller->compute_command(swimmer));
   }
 
   template class Body<2>;

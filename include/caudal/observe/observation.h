@@ -3,6 +3,7 @@
 
 #include <caudal/base/time_stepping.h>
 #include <caudal/fluid/fluid_state.h>
+#include <caudal/mesh/cell_lattice.h>
 #include <caudal/solid/body.h>
 
 namespace caudal
@@ -70,7 +71,8 @@ namespace caudal
     const FluidSpace<dim>  &space;
     const CellLattice<dim> &lattice;
     const FluidState<dim>  &fluid;
-    /** Of the step that led to t^n; at the start that of the initial state, with zeros for a step. */
+    /** Of the step that led to t^n; at the start that of the initial state, with zeros for a step.
+     */
     const StepReport<dim> &report;
     /** Half the width of the kernel's support, in cells of the finest level. */
     double                            kernel_support = 0;
