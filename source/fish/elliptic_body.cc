@@ -67,9 +67,8 @@ namespace caudal
   {
     unsigned int get_n_layers(const GridDivisions &divisions)
     {
-      return std::max(1u, *std::min_element(divisions.elements.begin() + 1,
-                                            divisions.elements.end()) /
-                              5);
+      return std::max(
+          1u, *std::min_element(divisions.elements.begin() + 1, divisions.elements.end()) / 5);
     }
 
     /** From the cube [-1,1]^dim's surface to the unit sphere, grid lines at equal angles. */
@@ -108,9 +107,9 @@ namespace caudal
       corner[d] = 1.;
     GridGenerator::subdivided_hyper_rectangle(cube, core, Point<dim>(-corner), corner);
 
-    const double                               core_size = 1. - 2. * n_layers / (core[1] + 2. * n_layers);
-    std::vector<Point<dim>>                    vertices;
-    std::vector<CellData<dim>>                 cells;
+    const double               core_size = 1. - 2. * n_layers / (core[1] + 2. * n_layers);
+    std::vector<Point<dim>>    vertices;
+    std::vector<CellData<dim>> cells;
     for (const Point<dim> &p : cube.get_vertices())
       vertices.push_back(place_in_core(p, core_size));
     // The vertices of the layer k beyond the surface's vertex v.
@@ -121,9 +120,9 @@ namespace caudal
       const auto [entry, is_new] = first.insert({v, vertices.size()});
       if (is_new)
         for (unsigned int layer = 1; layer <= n_layers; ++layer)
-          vertices.push_back(vertices[v] + static_cast<double>(layer) / n_layers *
-                                               (project_to_sphere(cube.get_vertices()[v]) -
-                                                vertices[v]));
+          vertices.push_back(vertices[v] +
+                             static_cast<double>(layer) / n_layers *
+                                 (project_to_sphere(cube.get_vertices()[v]) - vertices[v]));
       return entry->second + k - 1;
     };
     for (const auto &cell : cube.active_cell_iterators())
@@ -167,7 +166,7 @@ namespace caudal
 
   template <int dim>
   void EllipticShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                                     const std::string &, Triangulation<dim> &tria) const
+                                     const std::string &, Triangulation<dim>          &tria) const
   {
     const unsigned int        n_layers = get_n_layers(divisions);
     std::vector<unsigned int> core     = divisions.elements;

@@ -208,7 +208,7 @@ namespace caudal
 
   template <int dim>
   void SlenderShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                                    const std::string &, Triangulation<dim> &tria) const
+                                    const std::string &, Triangulation<dim>          &tria) const
   {
     if constexpr (dim == 2)
       make_outline_grid(tria, *make_outline(), lengths.length, divisions.region_boundaries,

@@ -22,8 +22,7 @@ namespace caudal
       for (const Station &station : stations)
       {
         s.push_back(station.s);
-        values.push_back(
-            std::log(station.*axis / EllipticBody::get_end_factor(station.s, length)));
+        values.push_back(std::log(station.*axis / EllipticBody::get_end_factor(station.s, length)));
       }
       return Profile(s, values, limited);
     }
@@ -93,11 +92,11 @@ namespace caudal
       std::vector<Station> read(const std::string &path, const double length) const
       {
         const std::string entry = path + (file.empty() ? "/Table" : "/File");
-        AssertThrow(file.empty() != table.empty(),
-                    ExcMessage(path + "/Table: give the stations either here or in " + path +
-                               "/File."));
-        const NumberTable numbers = file.empty() ? parse_number_table(entry, table, 3)
-                                                 : read_number_table(entry, file, 3);
+        AssertThrow(
+            file.empty() != table.empty(),
+            ExcMessage(path + "/Table: give the stations either here or in " + path + "/File."));
+        const NumberTable numbers =
+            file.empty() ? parse_number_table(entry, table, 3) : read_number_table(entry, file, 3);
         AssertThrow(numbers.rows.size() >= 3,
                     ExcMessage(entry + ": there are " + std::to_string(numbers.rows.size()) +
                                " stations. Give at least three."));
@@ -107,7 +106,7 @@ namespace caudal
           const double s = row.values[0], a = row.values[1], b = row.values[2];
           const auto   complain = [&](const std::string &text) {
             return ExcMessage(entry + ": station " + std::to_string(stations.size() + 1) + " " +
-                              text);
+                                text);
           };
           AssertThrow(s > 0. && s < 1., complain("is at s/L = " + Patterns::Tools::to_string(s) +
                                                  ". Give positions between 0 and 1: the ends are "

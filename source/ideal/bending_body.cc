@@ -73,8 +73,7 @@ namespace caudal::ideal
       X += in_space(at.position + y * at.get_normal());
       motion.positions.push_back(X);
       for (unsigned int i = 0; i < n_modes(); ++i)
-        motion.modes[i][node] =
-            in_space(at.position_by_c[i] - y * at.turn_by_c[i] * at.tangent);
+        motion.modes[i][node] = in_space(at.position_by_c[i] - y * at.turn_by_c[i] * at.tangent);
     }
     return motion;
   }
@@ -127,9 +126,9 @@ namespace caudal::ideal
       const SpinePoint &at   = spine[node];
       const double      turn = get_turn(at, rates), y = node_places[node][1];
       for (unsigned int i = 0; i < n_modes(); ++i)
-        result[i][node] = in_space(at.position_by_c_rate[i] -
-                                   y * (at.turn_by_c_rate[i] * at.tangent +
-                                        at.turn_by_c[i] * turn * at.get_normal()));
+        result[i][node] =
+            in_space(at.position_by_c_rate[i] - y * (at.turn_by_c_rate[i] * at.tangent +
+                                                     at.turn_by_c[i] * turn * at.get_normal()));
     }
     return result;
   }
@@ -143,8 +142,8 @@ namespace caudal::ideal
     std::vector<double> gradient(n_modes(), 0.);
     for (unsigned int k = 0; k < spine.size(); ++k)
     {
-      const SpinePoint  &at   = spine[k];
-      const double       turn = get_turn(at, rates);
+      const SpinePoint  &at      = spine[k];
+      const double       turn    = get_turn(at, rates);
       const Tensor<1, 3> tangent = in_space(at.tangent), normal = in_space(at.get_normal());
       // Velocities as in compute_body_mass(); the third one does not depend on the bend.
       Tensor<1, 3> velocity[3] = {v + cross_product_3d(omega, in_space(at.position)),

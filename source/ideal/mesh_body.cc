@@ -40,33 +40,33 @@ namespace caudal::ideal
     return width;
   }
 
-    std::vector<BodySlice> MeshBody::compute_slices() const
+  std::vector<BodySlice> MeshBody::compute_slices() const
+  {
+    const ReferenceRule    rule(QGauss<2>(3), surface.get_fe());
+    std::vector<BodySlice> slices;
+    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      const ReferenceRule  rule(QGauss<2>(3), surface.get_fe());
-      std::vector<BodySlice> slices;
-      for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+      std::vector<Point<3>> positions;
+      for (const auto node : surface.get_nodes(cell))
+        positions.push_back(place(surface.get_reference_points()[node]));
+      const CellRule at(rule, positions);
+      for (unsigned int q = 0; q < rule.n_points; ++q)
       {
-        std::vector<Point<3>> positions;
-        for (const auto node : surface.get_nodes(cell))
-          positions.push_back(place(surface.get_reference_points()[node]));
-        const CellRule at(rule, positions);
-        for (unsigned int q = 0; q < rule.n_points; ++q)
-        {
-          const Point<3> X = at.get_point(q);
-          const double   y = X[1], z = X[2], N = at.get_area(q)[1];
-          BodySlice      slice;
-          slice.s             = X[0];
-          slice.moments[0][0] = N * y;
-          slice.moments[0][1] = N * y * y / 2.;
-          slice.moments[0][2] = N * y * z;
-          slice.moments[1][1] = N * y * y * y / 3.;
-          slice.moments[1][2] = N * y * y * z / 2.;
-          slice.moments[2][2] = N * y * z * z;
-          slices.push_back(slice);
-        }
+        const Point<3> X = at.get_point(q);
+        const double   y = X[1], z = X[2], N = at.get_area(q)[1];
+        BodySlice      slice;
+        slice.s             = X[0];
+        slice.moments[0][0] = N * y;
+        slice.moments[0][1] = N * y * y / 2.;
+        slice.moments[0][2] = N * y * z;
+        slice.moments[1][1] = N * y * y * y / 3.;
+        slice.moments[1][2] = N * y * y * z / 2.;
+        slice.moments[2][2] = N * y * z * z;
+        slices.push_back(slice);
       }
-      return slices;
     }
+    return slices;
+  }
 
   bool MeshBody::is_symmetric() const
   {

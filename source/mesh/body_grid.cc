@@ -10,8 +10,8 @@ namespace caudal
   template <int dim>
   BodyGridParameters<dim>::BodyGridParameters()
   {
-    divisions.elements = dim == 2 ? std::vector<unsigned int>{209, 10}
-                                  : std::vector<unsigned int>{20, 8, 8};
+    divisions.elements =
+        dim == 2 ? std::vector<unsigned int>{209, 10} : std::vector<unsigned int>{20, 8, 8};
   }
 
   template <int dim>
@@ -48,12 +48,11 @@ namespace caudal
   {
     const std::string section = path + "/Shape", entries = section + "/";
     const Shape<dim> &type = shape.type.get();
-    AssertThrow(type.has_grid(),
-                ExcMessage(entries + "Type: the shape <" + shape.type.get_name() +
-                           "> is available in " + std::to_string(5 - dim) +
-                           "D only. Choose one of " +
-                           list_shapes<dim>([](const Shape<dim> &s) { return s.has_grid(); }) +
-                           "."));
+    AssertThrow(
+        type.has_grid(),
+        ExcMessage(entries + "Type: the shape <" + shape.type.get_name() + "> is available in " +
+                   std::to_string(5 - dim) + "D only. Choose one of " +
+                   list_shapes<dim>([](const Shape<dim> &s) { return s.has_grid(); }) + "."));
 
     const auto &[elements, region_boundaries] = divisions;
     AssertThrow(elements.size() == dim,
@@ -104,13 +103,13 @@ namespace caudal
     const std::string  entries      = path + "/Shape/";
     const bool         divided      = shape.get_region_entry() != "";
     const unsigned int n_boundaries = parameters.divisions.region_boundaries.size();
-    AssertThrow(n_boundaries == (divided ? 0 : n_regions - 1),
-                ExcMessage(entries + "Region boundaries: there are " +
-                           std::to_string(n_boundaries) + ", but the body has " +
-                           std::to_string(n_regions) + " regions. Give " +
-                           (divided ? "none, as a " + parameters.shape.type.get_name() +
-                                          " has regions of its own."
-                                    : "one fewer than regions.")));
+    AssertThrow(
+        n_boundaries == (divided ? 0 : n_regions - 1),
+        ExcMessage(
+            entries + "Region boundaries: there are " + std::to_string(n_boundaries) +
+            ", but the body has " + std::to_string(n_regions) + " regions. Give " +
+            (divided ? "none, as a " + parameters.shape.type.get_name() + " has regions of its own."
+                     : "one fewer than regions.")));
 
     shape.make_grid(parameters.shape.lengths, parameters.divisions, path + "/Shape", tria);
     tria.reset_all_manifolds();

@@ -17,7 +17,7 @@ namespace caudal
       }
 
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                     const std::string &, Triangulation<dim> &tria) const override
+                     const std::string &, Triangulation<dim>          &tria) const override
       {
         const Tensor<1, dim>             sides = lengths.get_sides<dim>();
         std::vector<std::vector<double>> steps(dim);

@@ -73,22 +73,22 @@ namespace caudal
      * which the rest of the cylinder rests as two segments. Material ids: 0 in
      * the cylinder, 1 in the flag.
      */
-  void make_cylinder_with_flag(Triangulation<2> &tria, const double radius, const double length,
-                               const double thickness, const unsigned int n_along,
-                               const unsigned int n_across)
-  {
-    // In units of the radius. A half disc has three cells of the coarse grid along its side.
-    const double     a = 0.5 * thickness / radius;
-    const double     n = 2. / 3. / (2. * a / n_across);
-    Triangulation<2> strip, upper, lower;
-    make_half_disc(upper, std::max(2L, std::lround(n)));
-    make_strip(strip, a, 1. + length / radius, get_stations(upper), n_along, n_across);
-    GridTools::transform([a](const Point<2> &p) { return map_to_segment(p, a); }, upper);
-    lower.copy_triangulation(upper);
-    GridTools::rotate(numbers::PI, lower);
-    GridGenerator::merge_triangulations({&strip, &upper, &lower}, tria, 1e-7);
-    GridTools::scale(radius, tria);
-  }
+    void make_cylinder_with_flag(Triangulation<2> &tria, const double radius, const double length,
+                                 const double thickness, const unsigned int n_along,
+                                 const unsigned int n_across)
+    {
+      // In units of the radius. A half disc has three cells of the coarse grid along its side.
+      const double     a = 0.5 * thickness / radius;
+      const double     n = 2. / 3. / (2. * a / n_across);
+      Triangulation<2> strip, upper, lower;
+      make_half_disc(upper, std::max(2L, std::lround(n)));
+      make_strip(strip, a, 1. + length / radius, get_stations(upper), n_along, n_across);
+      GridTools::transform([a](const Point<2> &p) { return map_to_segment(p, a); }, upper);
+      lower.copy_triangulation(upper);
+      GridTools::rotate(numbers::PI, lower);
+      GridGenerator::merge_triangulations({&strip, &upper, &lower}, tria, 1e-7);
+      GridTools::scale(radius, tria);
+    }
 
     /** The body of Turek and Hron's benchmark (2006, doi:10.1007/3-540-34596-5_15). */
     template <int dim>
@@ -116,7 +116,7 @@ namespace caudal
       }
 
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                     const std::string &, Triangulation<dim> &tria) const override
+                     const std::string &, Triangulation<dim>          &tria) const override
       {
         if constexpr (dim == 2)
           make_cylinder_with_flag(tria, lengths.radius, lengths.length, lengths.thickness,

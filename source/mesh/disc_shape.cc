@@ -16,7 +16,7 @@ namespace caudal
       }
 
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                     const std::string &, Triangulation<dim> &tria) const override
+                     const std::string &, Triangulation<dim>          &tria) const override
       {
         Tensor<1, dim> semi_axes;
         for (unsigned int d = 0; d < dim; ++d)

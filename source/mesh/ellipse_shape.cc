@@ -16,7 +16,7 @@ namespace caudal
       }
 
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                     const std::string &, Triangulation<dim> &tria) const override
+                     const std::string &, Triangulation<dim>          &tria) const override
       {
         make_ellipsoid(tria, 0.5 * lengths.get_sides<dim>(), divisions.count_elements());
         assign_regions(tria, divisions.region_boundaries);

@@ -30,7 +30,8 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        require(!file.empty(), path, "Name", "no file is given. Give the name of a gmsh mesh (.msh).");
+        require(!file.empty(), path, "Name",
+                "no file is given. Give the name of a gmsh mesh (.msh).");
       }
 
       void check_divisions(const ShapeLengths &, const GridDivisions &,

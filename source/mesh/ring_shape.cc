@@ -36,7 +36,7 @@ namespace caudal
       }
 
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                     const std::string &, Triangulation<dim> &tria) const override
+                     const std::string &, Triangulation<dim>          &tria) const override
       {
         if constexpr (dim == 2)
           GridGenerator::concentric_hyper_shells(tria, Point<2>(), lengths.radius,

@@ -82,12 +82,12 @@ namespace caudal
   std::unique_ptr<StraightBody>
   ShapeParameters<dim>::make_straight_body(const std::string &path) const
   {
-    AssertThrow(
-        type.get().has_surface(),
-        ExcMessage(path + "/Type: the shape <" + type.get_name() +
-                   "> has no closed surface. Choose one of " +
-                   list_shapes<dim>([](const Shape<dim> &shape) { return shape.has_surface(); }) +
-                   "."));
+    AssertThrow(type.get().has_surface(), ExcMessage(path + "/Type: the shape <" + type.get_name() +
+                                                     "> has no closed surface. Choose one of " +
+                                                     list_shapes<dim>([](const Shape<dim> &shape) {
+                                                       return shape.has_surface();
+                                                     }) +
+                                                     "."));
     return type.get().make_straight_body(lengths);
   }
 
@@ -133,8 +133,8 @@ namespace caudal
   }
 
   std::vector<double> compute_columns(const double               first,
-                                       const std::vector<double> &region_boundaries,
-                                       const unsigned int         n_columns)
+                                      const std::vector<double> &region_boundaries,
+                                      const unsigned int         n_columns)
   {
     const unsigned int n_regions = region_boundaries.size() + 1;
     AssertThrow(n_columns >= n_regions, ExcMessage("Each region needs a column of cells."));
@@ -158,12 +158,12 @@ namespace caudal
 
   template Tensor<1, 2> ShapeLengths::get_sides() const;
   template Tensor<1, 3> ShapeLengths::get_sides() const;
-  template void ShapeLengths::check_sides<2>(const std::string &) const;
-  template void ShapeLengths::check_sides<3>(const std::string &) const;
+  template void         ShapeLengths::check_sides<2>(const std::string &) const;
+  template void         ShapeLengths::check_sides<3>(const std::string &) const;
   template struct ShapeParameters<2>;
   template struct ShapeParameters<3>;
   template std::string list_shapes(const std::function<bool(const Shape<2> &)> &);
   template std::string list_shapes(const std::function<bool(const Shape<3> &)> &);
-  template void assign_regions(Triangulation<2> &, const std::vector<double> &);
-  template void assign_regions(Triangulation<3> &, const std::vector<double> &);
+  template void        assign_regions(Triangulation<2> &, const std::vector<double> &);
+  template void        assign_regions(Triangulation<3> &, const std::vector<double> &);
 } // namespace caudal

@@ -42,9 +42,9 @@ double half_thickness(const double x)
 
 void check_gait(const std::string &name, const Entries &entries)
 {
-  const auto              gait = make_gait(entries);
-  const unsigned int      n    = 3000;
-  std::vector<Point<2>>   outline;
+  const auto            gait = make_gait(entries);
+  const unsigned int    n    = 3000;
+  std::vector<Point<2>> outline;
   for (unsigned int i = 0; i <= n; ++i)
     for (const double side : {-1., 0., 1.})
       outline.push_back(Point<2>(i * L / n, side * half_thickness(i * L / n)));
@@ -76,14 +76,13 @@ void check_gait(const std::string &name, const Entries &entries)
     for (const Point<2> s : {Point<2>(0.3, 0.05), Point<2>(1.1, -0.07), Point<2>(1.99, 0.01),
                              Point<2>(-0.01, 0.02), Point<2>(2.02, -0.01)})
     {
-      const PrescribedMotion<2> near(*gait, {s, Point<2>(s[0], 0.), Point<2>(s[0] + 1e-3, 0.),
-                                             Point<2>(s[0] - 1e-3, 0.)});
-      const auto                here   = near.compute(time);
-      const Tensor<1, 2>        along  = here.positions[2] - here.positions[3];
-      const Tensor<1, 2>        across = here.positions[0] - here.positions[1];
-      const Tensor<1, 2>        slope  = (near.compute(time + 1e-5).positions[0] -
-                                  near.compute(time - 1e-5).positions[0]) /
-                                 2e-5;
+      const PrescribedMotion<2> near(
+          *gait, {s, Point<2>(s[0], 0.), Point<2>(s[0] + 1e-3, 0.), Point<2>(s[0] - 1e-3, 0.)});
+      const auto         here   = near.compute(time);
+      const Tensor<1, 2> along  = here.positions[2] - here.positions[3];
+      const Tensor<1, 2> across = here.positions[0] - here.positions[1];
+      const Tensor<1, 2> slope =
+          (near.compute(time + 1e-5).positions[0] - near.compute(time - 1e-5).positions[0]) / 2e-5;
       angle_error =
           std::max(angle_error, std::abs(along * across) / (along.norm() * across.norm()));
       velocity_error = std::max(velocity_error, (slope - here.velocities[0]).norm());
@@ -130,15 +129,15 @@ int main()
              {{"Type", "curvature"}, {"Curvature/Function", "(0.5 + s)*sin(2*pi*(t - s))"}});
   const auto arc = make_gait({{"Type", "curvature"}, {"Curvature/Function", "pi/2"}});
   // Half a circle about (0, 2/pi)
-  std::cout << "half a circle: the tail "
-            << ok(get_position<2>(*arc, 0.3, Point<2>(L, 0.))
-                      .distance(Point<2>(0., 4. / numbers::PI)),
-                  1e-5)
-            << ", a point inside "
-            << ok(get_position<2>(*arc, 0.3, Point<2>(L / 2., 0.1))
-                      .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)),
-                  1e-5)
-            << std::endl;
+  std::cout
+      << "half a circle: the tail "
+      << ok(get_position<2>(*arc, 0.3, Point<2>(L, 0.)).distance(Point<2>(0., 4. / numbers::PI)),
+            1e-5)
+      << ", a point inside "
+      << ok(get_position<2>(*arc, 0.3, Point<2>(L / 2., 0.1))
+                .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)),
+            1e-5)
+      << std::endl;
 
   // Those of the ideal-fluid model in time.
   check_gait("joints", {{"Type", "arctangent"}, {"Frequency", "1.5"}});
@@ -161,15 +160,12 @@ int main()
 
   std::cout << "none " << (make_gait({})->is_prescribed() ? "prescribes" : "does not prescribe")
             << " anything" << std::endl;
-  expect_sentence([] {
-    make_gait({{"Type", "curvature"}, {"Curvature/Function", "sqrt(-1-s)"}});
-  });
+  expect_sentence([] { make_gait({{"Type", "curvature"}, {"Curvature/Function", "sqrt(-1-s)"}}); });
   expect_sentence([] {
     make_gait({{"Type", "travelling wave"}, {"Travelling wave/Frequency", "0"}});
   });
   expect_sentence([] {
-    get_position<2>(
-        *make_gait({{"Type", "travelling wave"}, {"Travelling wave/Amplitude", "0.5"}}), 1.,
-        Point<2>());
+    get_position<2>(*make_gait({{"Type", "travelling wave"}, {"Travelling wave/Amplitude", "0.5"}}),
+                    1., Point<2>());
   });
 }

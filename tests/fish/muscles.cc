@@ -30,9 +30,9 @@ SwimmerState get_state(const double time, const double step)
 }
 
 template <int dim = 2>
-std::unique_ptr<Muscle<dim>> make_muscle(const Entries &entries, const double length = 1.,
-                                         const std::map<std::string, types::material_id> &regions =
-                                             {})
+std::unique_ptr<Muscle<dim>>
+make_muscle(const Entries &entries, const double length = 1.,
+            const std::map<std::string, types::material_id> &regions = {})
 {
   MuscleParameters<dim> parameters;
   set_entries(parameters, "Muscle", entries);
@@ -128,8 +128,8 @@ void test_bang_bang()
   entries["Regions"]            = "tail";
   entries["Start-up ramp"]      = "4";
   const std::map<std::string, types::material_id> regions{{"head", 1}, {"tail", 7}};
-  const auto                                      muscle  = make_muscle(entries, 2., regions);
-  SwimmerState state;
+  const auto                                      muscle = make_muscle(entries, 2., regions);
+  SwimmerState                                    state;
   state.time             = 1.9;
   state.step             = 0.2;
   state.lateral_position = 0.04;
@@ -140,13 +140,12 @@ void test_bang_bang()
             << muscle->activation(now) << "\n  force "
             << muscle->force_density(now, {Point<2>(1., 0.1), 7}, 2.) << ", outside its region "
             << muscle->force_density(now, {Point<2>(1., 0.1), 1}, 2.) << std::endl;
-  state.time             = 2.1;
-  state.lateral_position = 0.08;
+  state.time                = 2.1;
+  state.lateral_position    = 0.08;
   const Contraction resumed = unpack_contraction(now);
   std::cout << "Driven back while beyond the position it does not switch: activation "
             << muscle->activation(muscle->contract(now.after, state, {0.5, 0.75})) << ", resumed "
-            << muscle->activation(muscle->contract(resumed.after, state, {0.5, 0.75}))
-            << std::endl;
+            << muscle->activation(muscle->contract(resumed.after, state, {0.5, 0.75})) << std::endl;
 }
 
 void test_travelling_wave()
@@ -157,9 +156,9 @@ void test_travelling_wave()
                                              {"Travelling wave/Wave number", "1.5"},
                                              {"Travelling wave/Frequency", "2"},
                                              {"Travelling wave/Reference half thickness", "0.05"}},
-                                            2.);
+                                     2.);
   const Contraction now;
-  const Point<3> s(1., 0.02, 0.3);
+  const Point<3>    s(1., 0.02, 0.3);
   // 100 Pa * 0.5^2 * (0.02/0.1) * sin(2 pi (2*0.1 - 1.5*0.5))
   std::cout << "Wave: " << muscle->active_stress(now, {s, 0}, 0.1)[0][0] << " = "
             << 5. * std::sin(omega * (0.2 - 0.75)) << ", on the other side "

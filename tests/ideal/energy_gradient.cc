@@ -51,8 +51,8 @@ void check(const std::string &name, const Surface &surface, const TestBody &body
            const bool is_root)
 {
   const auto &[straight, gait, deformation] = body;
-  const GaitState  at          = gait->evaluate(0.7);
-  const double     length      = deformation->get_length();
+  const GaitState  at                       = gait->evaluate(0.7);
+  const double     length                   = deformation->get_length();
   BoundaryElements elements(surface, MPI_COMM_WORLD);
 
   // Rotations, translations, modes

@@ -72,7 +72,7 @@ namespace caudal::ideal
   }
 
   inline PulsatingSphere::PulsatingSphere(const Surface &surface, const double radius,
-                                   const double amplitude, const unsigned int order)
+                                          const double amplitude, const unsigned int order)
       : directions(surface.get_reference_points())
       , radius(radius)
       , amplitude(amplitude)
@@ -101,7 +101,7 @@ namespace caudal::ideal
   }
 
   inline PulsatingSphere::Radius PulsatingSphere::get_raw_radius(const double               mu,
-                                                          const std::vector<double> &c) const
+                                                                 const std::vector<double> &c) const
   {
     const double first  = radius * amplitude * std::legendre(order, mu);
     const double second = radius * amplitude * std::legendre(order + 1, mu);
@@ -115,8 +115,7 @@ namespace caudal::ideal
     for (unsigned int q = 0; q < get_quadrature().size(); ++q)
     {
       const Radius R = get_raw_radius(2. * get_quadrature().point(q)[0] - 1., c);
-      AssertThrow(R.value > 0.,
-                  ExcMessage("The radius of the sphere becomes negative."));
+      AssertThrow(R.value > 0., ExcMessage("The radius of the sphere becomes negative."));
       const double weight = get_quadrature().weight(q);
       cubes += weight * R.value * R.value * R.value;
       for (unsigned int i = 0; i < 2; ++i)
@@ -127,8 +126,9 @@ namespace caudal::ideal
             {-scale * derivatives[0] / (3. * cubes), -scale * derivatives[1] / (3. * cubes)}};
   }
 
-  inline PulsatingSphere::Radius PulsatingSphere::get_radius(const double mu, const std::vector<double> &c,
-                                                      const Radius &scale) const
+  inline PulsatingSphere::Radius PulsatingSphere::get_radius(const double               mu,
+                                                             const std::vector<double> &c,
+                                                             const Radius              &scale) const
   {
     const Radius raw = get_raw_radius(mu, c);
     Radius       result;

@@ -74,7 +74,7 @@ void check_interpolation()
   for (unsigned int i = 0; i < s.size(); ++i)
   {
     table += (i > 0 ? "; " : "") + Patterns::Tools::to_string(s[i]) + ", " +
-                           Patterns::Tools::to_string(a[i]) + ", 1e-3";
+             Patterns::Tools::to_string(a[i]) + ", 1e-3";
     logarithms.push_back(std::log(a[i] / round(s[i])));
   }
   const CubicSpline spline(s, logarithms, false);
@@ -149,8 +149,8 @@ void check_ellipsoid()
   const Surface            surface({2, 2, ""});
   const TestBody           body(surface, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "3, 2, 1"}},
                                 {{"Type", "none"}});
-  const FullMatrix<double> mass = body.deformation->compute_body_mass({});
-  const double volume = 4. / 3. * numbers::PI * 6.;
+  const FullMatrix<double> mass   = body.deformation->compute_body_mass({});
+  const double             volume = 4. / 3. * numbers::PI * 6.;
   std::cout << "ellipsoid: volume " << below(std::abs(mass(3, 3) / volume - 1.), 1e-8)
             << ", moments about the nose "
             << below(std::abs(mass(0, 0) / volume - (4. + 1.) / 5.), 1e-7) << ' '
@@ -201,9 +201,8 @@ int main(int argc, char **argv)
   check_fish("without lag", {{"Wave number", "0"}});
   check_fish("biased", {{"Bias", "5"}});
   check_fish("sine", {{"Type", "sine"}, {"Growth", "0.7"}});
-  check_fish("curvature", {{"Type", "curvature wave"},
-                           {"Growth", "0.7"},
-                           {"Curvature wave/Amplitude", "3"}});
+  check_fish("curvature",
+             {{"Type", "curvature wave"}, {"Growth", "0.7"}, {"Curvature wave/Amplitude", "3"}});
   check_fish("curvature without lag", {{"Type", "curvature wave"},
                                        {"Growth", "0.7"},
                                        {"Curvature wave/Amplitude", "3"},

@@ -102,9 +102,8 @@ void check_deforming_sphere()
 // A spheroid bent by a wave of curvature: displacement and energy of another code.
 void check_bent_spheroid()
 {
-  Swimmer      swimmer({12, 6, ""},
-                       {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.5, 0.125, 0.125"}},
-                       {{"Type", "curvature wave"}}, 16);
+  Swimmer swimmer({12, 6, ""}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.5, 0.125, 0.125"}},
+                  {{"Type", "curvature wave"}}, 16);
   const double mass =
       swimmer.body.deformation->compute_body_mass(swimmer.body.gait->evaluate(0.).c)(3, 3) * 1000.;
   const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
@@ -118,8 +117,8 @@ void check_strokes()
 {
   const Entries fish = {{"Stations/Table", salmon}};
   Entries       gait;
-  Swimmer        swimmer({4, 3, ""}, fish, gait, 32);
-  const double   slow = swimmer.swim(0.64, 12).norm() / 12.,
+  Swimmer       swimmer({4, 3, ""}, fish, gait, 32);
+  const double  slow  = swimmer.swim(0.64, 12).norm() / 12.,
                fast   = swimmer.swim(1.43, 28).norm() / 28.;
   gait["Wave number"] = "0";
   const double none   = Swimmer({4, 3, ""}, fish, gait, 32).swim(1., 3).norm();

@@ -64,10 +64,9 @@ void report_shapes()
   report<2>("naca 0012, coarse, 2 m",
             {{"Region boundaries", "0.5, 0.96"}, {"Length", "2"}, {"Elements", "60, 4"}},
             4. * naca_area);
-  report<2>("naca 6412 against 0012",
-            {{"Region boundaries", "0.5, 0.96"}, {"Naca/Digits", "6412"}}, naca_area);
-  report<2>("eel", {{"Type", "eel"}},
-            numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05);
+  report<2>("naca 6412 against 0012", {{"Region boundaries", "0.5, 0.96"}, {"Naca/Digits", "6412"}},
+            naca_area);
+  report<2>("eel", {{"Type", "eel"}}, numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05);
   report<2>("disc", {{"Type", "disc"}}, numbers::PI * 0.01);
   report<2>("disc, coarse, halves",
             {{"Type", "disc"}, {"Elements", "20, 20"}, {"Region boundaries", "0.5"}},
@@ -85,10 +84,9 @@ void report_shapes()
              {"Elements", "70, 4"}},
             numbers::PI * 0.0025 + root - gap);
   report<2>("ellipse", {{"Type", "ellipse"}, {"Thickness", "0.4"}}, numbers::PI * 0.1);
-  report<2>("ring", {{"Type", "ring"}, {"Elements", "60, 4"}},
-            numbers::PI * (0.15 * 0.15 - 0.01));
-  report<2>("beam",
-            {{"Type", "beam"}, {"Elements", "33, 2"}, {"Region boundaries", "0.25, 0.9"}}, 0.1);
+  report<2>("ring", {{"Type", "ring"}, {"Elements", "60, 4"}}, numbers::PI * (0.15 * 0.15 - 0.01));
+  report<2>("beam", {{"Type", "beam"}, {"Elements", "33, 2"}, {"Region boundaries", "0.25, 0.9"}},
+            0.1);
   report<2>("rectangle", {{"Type", "rectangle"}}, 0.1);
   report<2>("quadrilateral",
             {{"Type", "quadrilateral"},

@@ -123,8 +123,8 @@ namespace caudal
   public:
     GaitState           evaluate(double argument) const final;
     std::vector<double> describe_shape(double argument) const final;
-    SpineAngles compute_angles(const std::vector<double> &s, const std::vector<double> &c,
-                               const std::vector<double> &rates = {}) const final;
+    SpineAngles         compute_angles(const std::vector<double> &s, const std::vector<double> &c,
+                                       const std::vector<double> &rates = {}) const final;
 
   protected:
     /** The coordinates without start-up: at the phase [rad], or time [s] if has_period(). */

@@ -69,7 +69,7 @@ namespace caudal
         "Model|Bodies|Body .*|Surface/.*|Fluid/Density|Integration/Torques|"
         "Resistance/Active|Output/Format";
 
-    std::string                 model         = "potential";
+    std::string                 model = "potential";
     std::string                 body_name;
     double                      fluid_density = 1000.;
     OutputSchedule              time;

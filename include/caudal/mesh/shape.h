@@ -93,8 +93,7 @@ namespace caudal
     }
 
     /** The body with a closed surface, if it has one; null otherwise. */
-    virtual std::unique_ptr<StraightBody>
-    make_straight_body(const ShapeLengths & /*lengths*/) const
+    virtual std::unique_ptr<StraightBody> make_straight_body(const ShapeLengths & /*lengths*/) const
     {
       return nullptr;
     }
