@@ -77,7 +77,7 @@ namespace caudal
     writer.write(bytes, state.step_number, state.time);
     if (!goes_on)
       return;
-    broadcast_text(bytes, communicator);
+    bytes = Utilities::MPI::broadcast(communicator, bytes);
     unpack(bytes, state);
     restore(state);
   }
