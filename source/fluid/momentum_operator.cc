@@ -264,7 +264,8 @@ namespace caudal
           assembler.add_known_terms(cell, pressure, cell_residual);
           assembler.subtract_implicit_terms(cell, velocity, cell_residual, cell_matrix);
           cell->get_dof_indices(dofs);
-          space.get_homogeneous_constraints().distribute_local_to_global(cell_residual, dofs, residual);
+          space.get_homogeneous_constraints().distribute_local_to_global(cell_residual, dofs,
+                                                                         residual);
           if (matrix_changes)
             matrix.set(index++, cell_matrix);
         }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,11 +35,10 @@ namespace caudal
     /** The step of a slot's folder; a name that is none gives -1. */
     long get_step(const fs::path &path)
     {
-      const std::string name = path.filename().string();
-      if (name.rfind(prefix, 0) != 0 || name.size() != prefix.size() + 8 ||
-          name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)
-        return -1;
-      return std::stol(name.substr(prefix.size()));
+      static const std::regex pattern(prefix + "(\\d{8})");
+      const std::string       name = path.filename().string();
+      std::smatch             match;
+      return std::regex_match(name, match, pattern) ? std::stol(match[1]) : -1;
     }
 
     std::string get_slot_name(const unsigned int step)

@@ -3,6 +3,7 @@
 #include <caudal/base/expression.h>
 #include <caudal/observe/observer.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
@@ -69,11 +70,13 @@ namespace caudal
 
         double volume = 0, velocity_square = 0, mean = 0, square = 0;
         run_on_all(space.get_communicator(), [&]() {
-          for (const auto &cell : space.get_triangulation().active_cell_iterators())
+          auto pressure_cell = space.pressure_dofs.begin_active();
+          for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+          {
             if (cell->is_locally_owned())
             {
-              velocity.reinit(cell->as_dof_handler_iterator(space.velocity_dofs));
-              pressure.reinit(cell->as_dof_handler_iterator(space.pressure_dofs));
+              velocity.reinit(cell);
+              pressure.reinit(pressure_cell);
               velocity[all_components].get_function_values(observation.fluid.velocity, velocities);
               pressure.get_function_values(observation.fluid.pressure, pressures);
               exact.vector_value_list(pressure.get_quadrature_points(), exact_values);
@@ -89,6 +92,8 @@ namespace caudal
                       weight * Utilities::fixed_power<2>(velocities[q][d] - exact_values[q][d]);
               }
             }
+            ++pressure_cell;
+          }
         });
         const auto sum = [&](const double value) {
           return Utilities::MPI::sum(value, space.get_communicator());

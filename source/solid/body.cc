@@ -47,7 +47,8 @@ namespace caudal
                 ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
                            ". Give a positive number."));
     AssertThrow(controller.type.get_name() == "none" || muscle.type.get_name() != "none",
-                ExcMessage(path + "/Controller/Type: the controller <" + controller.type.get_name() +
+                ExcMessage(path + "/Controller/Type: the controller <" +
+                           controller.type.get_name() +
                            "> acts on the muscle, and there is none. Give Muscle/Type, or no "
                            "controller."));
     AssertThrow(!controller.type.get().steers() || muscle.type.get().can_steer(),
@@ -79,10 +80,10 @@ namespace caudal
       gait = parameters.gait.create(length);
     check_nose();
     if (swims())
-      lateral_point = solid.add_point(
-          Point<dim>(parameters.muscle.shared.monitored_point * length *
-                     Point<dim>::unit_vector(0)),
-          solid.get_parameters().get_path() + "/Muscle/Monitored point");
+      lateral_point =
+          solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * length *
+                                     Point<dim>::unit_vector(0)),
+                          solid.get_parameters().get_path() + "/Muscle/Monitored point");
 
     loads.push_back(make_elastic_load(solid));
     loads.push_back(make_feedback_load(solid));
@@ -126,8 +127,7 @@ namespace caudal
   }
 
   template <int dim>
-  void Body<dim>::check_state(const BodyState      &state,
-                              const Vector<double> &initial_positions) const
+  void Body<dim>::check_state(const BodyState &state, const Vector<double> &initial_positions) const
   {
     AssertThrow(initial_positions == solid.get_initial_positions(),
                 ExcMessage("Body " + get_name() +
@@ -223,8 +223,7 @@ namespace caudal
     if (!swims())
       return state.contraction;
     const SwimmerState swimmer = get_swimmer_state(state, time, step);
-    return muscle->contract(state.contraction.after, swimmer,
-                            controller->compute_command(swimmer));
+    return muscle->contract(state.contraction.after, swimmer, controller->compute_command(swimmer));
   }
 
   template class Body<2>;

@@ -40,8 +40,8 @@ namespace caudal
           force[i] -= weight * (P[component[i]] * gradients[node[i]]);
       }
 
-      void add_tangent(const Tensor<4, dim>              &tangent,
-                       const std::vector<Tensor<1, dim>> &gradients, const double weight)
+      void add_tangent(const Tensor<4, dim> &tangent, const std::vector<Tensor<1, dim>> &gradients,
+                       const double weight)
       {
         for (unsigned int j = 0; j < n; ++j)
         {

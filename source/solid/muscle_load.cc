@@ -85,8 +85,7 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &body,
-                                              const Muscle<dim>    &muscle)
+  std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &body, const Muscle<dim> &muscle)
   {
     return std::make_unique<MuscleLoad<dim>>(body, muscle);
   }

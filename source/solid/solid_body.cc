@@ -272,8 +272,8 @@ namespace caudal
   }
 
   template <int dim>
-  std::vector<Point<dim>>
-  get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell, const Vector<double> &x)
+  std::vector<Point<dim>> get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                         const Vector<double>                                 &x)
   {
     const FiniteElement<dim>            &element = cell->get_fe();
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());

@@ -165,8 +165,8 @@ namespace
     const InteractionOperator<dim> interaction = compute_interaction(body.positions);
     if (is_root)
       std::cout << dim << "D, " << kernel << ", corner at " << corner << ": "
-                << fluid.triangulation.n_global_active_cells() << " cells, " << interaction.n_points()
-                << " points\n";
+                << fluid.triangulation.n_global_active_cells() << " cells, "
+                << interaction.n_points() << " points\n";
 
     // Phi.(G u) and (G^T Phi).u for random vectors, which are not the same on
     // different numbers of ranks, and for a smooth field, whose power is.

@@ -22,7 +22,8 @@ namespace caudal
     void check() const;
   };
 
-  /** What the interaction of all bodies with the fluid has in common: the kernel, with its tables. */
+  /** What the interaction of all bodies with the fluid has in common: the kernel, with its tables.
+   */
   class Coupling
   {
   public:

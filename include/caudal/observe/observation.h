@@ -70,7 +70,8 @@ namespace caudal
     const FluidSpace<dim>  &space;
     const CellLattice<dim> &lattice;
     const FluidState<dim>  &fluid;
-    /** Of the step that led to t^n; at the start that of the initial state, with zeros for a step. */
+    /** Of the step that led to t^n; at the start that of the initial state, with zeros for a step.
+     */
     const StepReport<dim> &report;
     /** Half the width of the kernel's support, in cells of the finest level. */
     double                            kernel_support = 0;

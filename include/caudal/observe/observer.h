@@ -28,14 +28,15 @@ namespace caudal
   };
 
   /**
-   * Watches a run and tells what it finds, in columns of statistics.txt, in the log or in files of
-   * its own; it never writes into the model. All observers that are registered are at work, those
-   * with a smaller place first, which is also the order of their columns: who needs another one
-   * comes after it. An observer without a place comes last. Those of the program have
+   * An observer of a run: it tells what it finds in columns of statistics.txt, in the log or in
+   * files of its own, and never writes into the model. All observers that are registered are at
+   * work in the order of their places, which is also that of their columns; one that uses another
+   * observer stands behind it. Those of the program have the places
    *   10 motion, 20 body forces, 30 deformation, 40 swimming, 50 control volume, 60 energies,
-   *   70 power identity, 80 probes, 90 errors, 100 tail beats, 110 fields, 120 guards.
+   *   70 power identity, 80 probes, 90 error norms, 100 tail beats, 110 fields, 120 guards;
+   * one that does not ask for a place comes last.
    *
-   * The parameters are declared in a section of its own on the top level, where all functions
+   * Parameters are declared from the top level of the file, in a section of its own. All functions
    * are called on all ranks.
    */
   template <int dim>

@@ -13,12 +13,12 @@ namespace caudal
   template <int dim>
   struct BodyParameters
   {
-    SolidParameters<dim> solid;
+    SolidParameters<dim>  solid;
     MuscleParameters<dim> muscle;
-    GaitParameters       gait;
-    ControllerParameters controller;
-    std::string          lateral_frame = "domain";
-    double               gait_damping  = 1e8;
+    GaitParameters        gait;
+    ControllerParameters  controller;
+    std::string           lateral_frame = "domain";
+    double                gait_damping  = 1e8;
 
     BodyParameters(const std::string &name, const std::vector<std::string> &regions);
     void add_parameters(ParameterHandler &prm);

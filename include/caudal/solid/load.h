@@ -63,7 +63,8 @@ namespace caudal
   template <int dim>
   std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &body);
 
-  /** int kappa (X_0 - X).N ds - int eta U.N ds in the directions in which springs and dampers act. */
+  /** int kappa (X_0 - X).N ds - int eta U.N ds in the directions in which springs and dampers act.
+   */
   template <int dim>
   std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &body);
 

@@ -31,9 +31,8 @@ namespace caudal
 
   /** The positions of the nodes of a body's cell, in the order of its scalar shape functions. */
   template <int dim>
-  std::vector<Point<dim>>
-  get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                 const Vector<double>                                 &positions);
+  std::vector<Point<dim>> get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                         const Vector<double> &positions);
 
   template <std::size_t dim>
   void set_value(Vector<double> &field, const std::array<unsigned int, dim> &node,

@@ -53,8 +53,7 @@ namespace caudal
 
   /** Everything that outlives a step. The fluid's fields belong to the grid of the operators. */
   struct State
-  {
-  };
+  {};
 } // namespace caudal
 
 #endif
