@@ -22,7 +22,7 @@ namespace caudal
 
       void start(const Observation<dim> &observation, const ObserverContext<dim> &context) override
       {
-        open(observation.space.get_communicator(), context);
+        resume(context);
         if (!context.is_resumed)
           write(observation, context);
       }
@@ -46,20 +46,14 @@ namespace caudal
 
       void resume(const ObserverContext<dim> &context) override
       {
-        open(communicator, context);
+        output.emplace(context.folder.path(), context.output.get_format(), context.communicator,
+                       last_time);
       }
 
     private:
       std::optional<FieldOutput> output;
-      MPI_Comm                   communicator = MPI_COMM_NULL;
-      unsigned int               n_outputs    = 0;
-      double                     last_time    = -1; // [s]
-
-      void open(const MPI_Comm new_communicator, const ObserverContext<dim> &context)
-      {
-        communicator = new_communicator;
-        output.emplace(context.folder.path(), context.output.get_format(), communicator, last_time);
-      }
+      unsigned int               n_outputs = 0;
+      double                     last_time = -1; // [s]
 
       /** Whether a multiple of the interval was passed since the last, maybe additional, output. */
       bool is_due(const double time, const double interval) const
@@ -99,7 +93,7 @@ namespace caudal
         data_out.add_data_vector(level, "level");
         data_out.add_data_vector(rank, "rank");
         data_out.build_patches(n_subdivisions);
-        output->write(data_out, "fluid", observation.time, n_outputs, communicator);
+        output->write(data_out, "fluid", observation.time, n_outputs, space.get_communicator());
       }
 
       void write_body(const Observation<dim> &observation, const BodyObservation<dim> &observed)

@@ -17,7 +17,7 @@ namespace caudal
                              Log &log, const OutputParameters &output, const bool is_resumed)
   {
     const MPI_Comm communicator = observation.space.get_communicator();
-    context.emplace(ObserverContext<dim>{folder, log, output, observers, is_resumed});
+    context.emplace(ObserverContext<dim>{communicator, folder, log, output, observers, is_resumed});
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(communicator, [&]() {
       const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -76,7 +76,7 @@ namespace caudal
         observer->set_body_columns(observation, body, *statistics);
     for (const auto &[name, observer] : observers)
       observer->set_columns(observation, *statistics);
-    run_on_all(observation.space.get_communicator(), [&]() { statistics->write_row(); });
+    run_on_all(context->communicator, [&]() { statistics->write_row(); });
   }
 
   template class Observers<2>;

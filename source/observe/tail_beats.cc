@@ -44,8 +44,7 @@ namespace caudal
   void TailBeats<dim>::start(const Observation<dim>     &observation,
                              const ObserverContext<dim> &context)
   {
-    const bool is_root =
-        Utilities::MPI::this_mpi_process(observation.space.get_communicator()) == 0;
+    const bool is_root      = Utilities::MPI::this_mpi_process(context.communicator) == 0;
     const bool has_one_body = observation.bodies.size() == 1;
     for (const auto &observed : observation.bodies)
     {
@@ -95,7 +94,7 @@ namespace caudal
   {
     const auto &forces = context.others.template get<BodyForces<dim>>();
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
-    run_on_all(observation.space.get_communicator(), [&]() {
+    run_on_all(context.communicator, [&]() {
       for (unsigned int b = 0; b < reports.size(); ++b)
         if (reports[b])
         {
@@ -125,11 +124,13 @@ namespace caudal
   }
 
   template <int dim>
-  void TailBeats<dim>::resume(const ObserverContext<dim> &)
+  void TailBeats<dim>::resume(const ObserverContext<dim> &context)
   {
-    for (const auto &report : reports)
-      if (report)
-        report->resume();
+    run_on_all(context.communicator, [&]() {
+      for (const auto &report : reports)
+        if (report)
+          report->resume();
+    });
   }
 
   template <int dim>

@@ -7,6 +7,7 @@
 #include <caudal/io/log.h>
 #include <caudal/io/output_folder.h>
 #include <caudal/io/statistics.h>
+#include <caudal/mesh/cell_lattice.h>
 #include <caudal/observe/observation.h>
 #include <caudal/observe/state_archive.h>
 
@@ -19,6 +20,7 @@ namespace caudal
   template <int dim>
   struct ObserverContext
   {
+    const MPI_Comm                   communicator;
     const OutputFolder              &folder;
     Log                             &log;
     const OutputParameters          &output;
