@@ -27,45 +27,13 @@ namespace caudal
     pressure.update_ghost_values();
   }
 
-  namespace
-  {
-    /** A vector field of the .prm, refused where it is not finite. */
-    template <int dim>
-    class CheckedFunction : public Function<dim>
-    {
-    public:
-      CheckedFunction(const std::string &path, const std::string &expression,
-                      const unsigned int n_components)
-          : Function<dim>(n_components)
-          , path(path)
-          , expression(expression)
-          , function(make_expression<dim>(path, expression, n_components))
-      {}
-
-      double value(const Point<dim> &point, const unsigned int component) const override
-      {
-        check_finite(path, expression, *function, point);
-        return function->value(point, component);
-      }
-
-      void set_time(const double time) override
-      {
-        function->set_time(time);
-      }
-
-    private:
-      const std::string                          path, expression;
-      const std::unique_ptr<FunctionParser<dim>> function;
-    };
-  } // namespace
-
   template <int dim>
   void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state)
   {
-    VectorTools::interpolate(space.velocity_dofs,
-                             CheckedFunction<dim>("Fluid/Initial velocity",
-                                                  space.get_parameters().initial_velocity, dim),
-                             state.velocity);
+    VectorTools::interpolate(
+        space.velocity_dofs,
+        Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
+        state.velocity);
     space.get_constraints(0).distribute(state.velocity);
     state.update_ghost_values();
   }
