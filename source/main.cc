@@ -124,7 +124,7 @@ namespace
     {
       std::ostringstream summary;
       body.print_summary(summary);
-      print(summary.str() + "Nothing speaks against a run.\n");
+      print(summary.str() + "No problems found.\n");
       return finished;
     }
     const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);

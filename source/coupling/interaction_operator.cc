@@ -43,7 +43,8 @@ namespace caudal
   {
   public:
     Assembler(const Coupling &coupling, const Fluid &fluid, const DoFHandler<dim> &body_dofs)
-        : coupling(coupling)
+        : inhomogeneity(body_dofs.n_dofs())
+        , coupling(coupling)
         , finest_cells(fluid.finest_cells)
         , velocity_dofs(fluid.velocity_dofs)
         , constraints(fluid.constraints)
@@ -57,7 +58,6 @@ namespace caudal
               finest_cells.get_lattice().get_finest_level()))
         , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
         , indices(element.n_dofs_per_cell())
-        , inhomogeneity(body_dofs.n_dofs())
     {}
 
     /**

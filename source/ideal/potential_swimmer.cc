@@ -105,7 +105,7 @@ namespace caudal
   void PotentialSwimmer::check(std::ostream &out, bool /*fast*/) const
   {
     print_summary(out);
-    out << "Nothing speaks against a run.\n";
+    out << "No problems found.\n";
   }
 
   void PotentialSwimmer::set_parameter_values(const ParameterValues &values)

@@ -20,9 +20,9 @@ namespace caudal
 
     /** Whether feedback forces are all that can have a resultant on the body. */
     template <int dim>
-    bool is_merely_held(const SwimmingBody<dim> &body)
+    bool is_merely_held(const Body<dim> &body)
     {
-      const SolidBody<dim> &solid = body.solid;
+      const SolidBody<dim> &solid = body.get_solid();
       return !body.swims() && solid.get_excess_density() == 0 &&
              solid.get_parameters().traction.empty() &&
              (solid.get_feedback_stiffness().linfty_norm() > 0 ||
@@ -39,44 +39,44 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  ForceAccount<dim>::ForceAccount(const ImmersedSystem<dim> &system)
-      : system(system)
-      , body_momenta(system.bodies.size())
-      , resultants(system.bodies.size())
-      , body_forces(system.bodies.size())
-      , feedback_forces(system.bodies.size())
+  ForceAccount<dim>::ForceAccount(const Observation<dim> &observation)
+      : body_momenta(observation.bodies.size())
+      , resultants(observation.bodies.size())
+      , body_forces(observation.bodies.size())
+      , feedback_forces(observation.bodies.size())
   {
-    const auto &corners = system.space.get_parameters().control_volume;
+    const auto &corners = observation.space.get_parameters().control_volume;
     if (!corners.empty())
-      control_volume.emplace(system, BoundingBox<dim>({corners[0], corners[1]}));
+      control_volume.emplace(BoundingBox<dim>({corners[0], corners[1]}));
   }
 
   template <int dim>
-  void ForceAccount<dim>::update(const double time)
+  void ForceAccount<dim>::update(const Observation<dim> &observation)
   {
-    const double density = system.space.get_parameters().density;
-    for (unsigned int b = 0; b < system.bodies.size(); ++b)
+    const double density = observation.space.get_parameters().density;
+    for (unsigned int b = 0; b < observation.bodies.size(); ++b)
     {
-      const SwimmingBody<dim> &body  = *system.bodies[b];
-      const SolidBody<dim>    &solid = body.solid;
-      const auto              &size  = solid.get_nodal_volumes();
-      body_momenta[b].add(time, density * sum_over_nodes(solid, solid.velocity, &size));
+      const auto &[body, state, report] = observation.bodies[b];
+      const SolidBody<dim> &solid       = body.get_solid();
+      const auto           &size        = solid.get_nodal_volumes();
+      body_momenta[b].add(observation.time, density * sum_over_nodes(solid, state.velocity, &size));
       const Tensor<1, dim> change = body_momenta[b].get_derivative();
-      resultants[b]               = sum_over_nodes(solid, solid.force_density, &size);
+      resultants[b]               = sum_over_nodes(solid, state.force_density, &size);
       body_forces[b]              = change - resultants[b];
       feedback_forces[b] =
-          change -
-          sum_over_nodes(solid, body.compute_feedback_force(solid.positions, solid.velocity));
+          change - sum_over_nodes(solid, body.compute_force(LoadAccount::feedback,
+                                                            body.get_motion(state, observation.time,
+                                                                            observation.step)));
     }
     if (control_volume)
-      control_volume->update(time);
+      control_volume->update(observation);
   }
 
   template <int dim>
-  void ForceAccount<dim>::adapt(const double time)
+  void ForceAccount<dim>::adapt(const Observation<dim> &observation)
   {
     if (control_volume)
-      control_volume->adapt(time);
+      control_volume->adapt(observation);
   }
 
   template <int dim>
@@ -88,9 +88,10 @@ namespace caudal
   }
 
   template <int dim>
-  void ForceAccount<dim>::set_body_statistics(const unsigned int b, Statistics &statistics) const
+  void ForceAccount<dim>::set_body_statistics(const Observation<dim> &observation,
+                                              const unsigned int b, Statistics &statistics) const
   {
-    const SwimmingBody<dim> &body = *system.bodies[b];
+    const Body<dim> &body = observation.bodies[b].body;
     set_vector(statistics, body.get_name() + ": force", "of the fluid", body_forces[b]);
     if (is_merely_held(body))
       set_vector(statistics, body.get_name() + ": force", "by feedback", feedback_forces[b]);

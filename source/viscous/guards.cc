@@ -44,9 +44,8 @@ namespace caudal
   }
 
   template <int dim>
-  Guards<dim>::Guards(const GuardParameters &parameters, const ImmersedSystem<dim> &system)
+  Guards<dim>::Guards(const GuardParameters &parameters)
       : parameters(parameters)
-      , system(system)
   {}
 
   template <int dim>
@@ -59,25 +58,28 @@ namespace caudal
   }
 
   template <int dim>
-  double Guards<dim>::compute_tether_displacement(const SwimmingBody<dim> &body) const
+  double Guards<dim>::compute_tether_displacement(const Observation<dim>     &observation,
+                                                  const BodyObservation<dim> &body) const
   {
-    const SolidBody<dim> &solid   = body.solid;
-    const unsigned int    finest  = system.lattice.get_finest_level();
+    const SolidBody<dim> &solid   = body.body.get_solid();
+    const unsigned int    finest  = observation.lattice.get_finest_level();
     double                largest = 0;
     for (const auto &node : solid.get_nodes())
       for (unsigned int d = 0; d < dim; ++d)
         if (solid.get_feedback_stiffness().diag_element(node[d]) > 0)
-          largest = std::max(largest,
-                             std::abs(solid.positions[node[d]] - solid.initial_positions[node[d]]) /
-                                 system.lattice.get_cell_size(finest)[d]);
+          largest = std::max(largest, std::abs(body.state.positions[node[d]] -
+                                               solid.get_initial_positions()[node[d]]) /
+                                          observation.lattice.get_cell_size(finest)[d]);
     return largest;
   }
 
   template <int dim>
-  void Guards<dim>::check_body(const SwimmingBody<dim> &body, const double time, Log &log)
+  void Guards<dim>::check_body(const Observation<dim>     &observation,
+                               const BodyObservation<dim> &body, Log &log)
   {
-    const std::string         name        = "of body " + body.get_name();
-    const DeformationSummary &deformation = body.deformation;
+    const double              time        = observation.time;
+    const std::string         name        = "of body " + body.body.get_name();
+    const DeformationSummary &deformation = body.report.deformation;
     const char *const         volume_hint =
         "Volume errors of the interpolated motion add up: use a finer fluid grid, the kernel "
         "dirac, or Body/Region/Cell volume stabilisation.";
@@ -93,25 +95,26 @@ namespace caudal
     if (exceeds(deformation.largest_jacobian, parameters.largest_jacobian))
       warn({"Largest J", "the largest J " + name, "", volume_hint}, deformation.largest_jacobian,
            parameters.largest_jacobian, time, log);
-    const double displacement = compute_tether_displacement(body);
+    const double displacement = compute_tether_displacement(observation, body);
     if (exceeds(displacement, parameters.largest_tether_displacement))
       warn({"Largest tether displacement", "the displacement of the springs " + name, " cells",
             "Where springs are to hold a part in its place, increase Body/Region/Feedback "
             "stiffness."},
            displacement, parameters.largest_tether_displacement, time, log);
-    if (exceeds(body.power_identity, parameters.largest_power_identity))
+    if (exceeds(body.report.power_identity, parameters.largest_power_identity))
       warn({"Largest power identity", "the relative difference of powers " + name, "",
             "Body and fluid do not exchange the same power: an error in the program, please "
             "report it."},
-           body.power_identity, parameters.largest_power_identity, time, log);
+           body.report.power_identity, parameters.largest_power_identity, time, log);
   }
 
   template <int dim>
-  void Guards<dim>::check(const double time, const EnergyLedger &ledger, const EnergyLedger &start,
-                          Log &log)
+  void Guards<dim>::check(const Observation<dim> &observation, const EnergyLedger &ledger,
+                          const EnergyLedger &start, Log &log)
   {
-    for (const auto &body : system.bodies)
-      check_body(*body, time, log);
+    const double time = observation.time;
+    for (const auto &body : observation.bodies)
+      check_body(observation, body, log);
     const double scale = std::abs(ledger.muscle_work) + std::abs(ledger.feedback_work) +
                          std::abs(ledger.external_work) + start.kinetic_energy +
                          ledger.kinetic_energy + std::abs(ledger.elastic_energy) +

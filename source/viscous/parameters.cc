@@ -28,7 +28,7 @@ namespace caudal
                                                     : std::vector<std::string>{"<region>"};
       AssertThrow(!regions.empty(),
                   ExcMessage(entry + ": the list is empty. Give at least one name."));
-      bodies.push_back(std::make_unique<SwimmingBodyParameters<dim>>(name, regions));
+      bodies.push_back(std::make_unique<BodyParameters<dim>>(name, regions));
     }
   }
 

@@ -17,10 +17,13 @@ namespace caudal
   {
   public:
     using Parameters = PotentialParameters;
-    using State      = PotentialState;
+    using Checkpoint = PotentialState;
 
     /** Sets up surface, body and gait; refuses what can't work. */
     PotentialSwimmer(const PotentialParameters &parameters, MPI_Comm communicator);
+
+    /** There is nothing to set up for a run that is not resumed. */
+    void start() {}
 
     /** Says what the case is like, which is always fast. */
     void check(std::ostream &out, bool fast) const;

@@ -2,7 +2,7 @@
 #define caudal_viscous_control_volume_force_h
 
 #include <caudal/observe/backward_difference.h>
-#include <caudal/viscous/time_scheme.h>
+#include <caudal/observe/observation.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -29,16 +29,16 @@ namespace caudal
   {
   public:
     /** V are the coarse cells with their centre in @p box. */
-    ControlVolumeForce(const ImmersedSystem<dim> &system, const BoundingBox<dim> &box);
+    explicit ControlVolumeForce(const BoundingBox<dim> &box);
 
     /** Whether all bodies, with the kernel's support, are in V. */
-    bool has_all_bodies() const;
+    bool has_all_bodies(const Observation<dim> &observation) const;
 
     /** After each step. */
-    void update(double time);
+    void update(const Observation<dim> &observation);
 
     /** After each change of the grid between two steps. */
-    void adapt(double time);
+    void adapt(const Observation<dim> &observation);
 
     const Tensor<1, dim> &get_force() const
     {
@@ -64,13 +64,12 @@ namespace caudal
     }
 
   private:
-    ImmersedSystem<dim>     system;
     BoundingBox<dim>        box;
     BackwardDifference<dim> momentum;     // P
     Tensor<1, dim>          other_forces; // Phi
     Tensor<1, dim>          force, impulse;
 
-    Tensor<1, dim> compute_body_momentum() const;
+    Tensor<1, dim> compute_body_momentum(const Observation<dim> &observation) const;
   };
 } // namespace caudal
 

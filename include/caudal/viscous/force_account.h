@@ -23,13 +23,13 @@ namespace caudal
   class ForceAccount
   {
   public:
-    explicit ForceAccount(const ImmersedSystem<dim> &system);
+    explicit ForceAccount(const Observation<dim> &observation);
 
     /** After each step. */
-    void update(double time);
+    void update(const Observation<dim> &observation);
 
     /** After each change of the grid between two steps. */
-    void adapt(double time);
+    void adapt(const Observation<dim> &observation);
 
     /** int_B f of a body [N/m], the resultant of all its forces on the fluid. */
     const Tensor<1, dim> &get_resultant(const unsigned int body) const
@@ -46,7 +46,8 @@ namespace caudal
       return !control_volume || control_volume->is_valid();
     }
 
-    void set_body_statistics(unsigned int body, Statistics &statistics) const;
+    void set_body_statistics(const Observation<dim> &observation, unsigned int body,
+                             Statistics &statistics) const;
     void set_control_volume_statistics(Statistics &statistics) const;
 
     /** What later forces depend on. */
@@ -59,7 +60,6 @@ namespace caudal
     }
 
   private:
-    ImmersedSystem<dim>                    system;
     std::optional<ControlVolumeForce<dim>> control_volume;
     std::vector<BackwardDifference<dim>>   body_momenta;
     std::vector<Tensor<1, dim>>            resultants, body_forces, feedback_forces;

@@ -2,7 +2,6 @@
 #define caudal_viscous_guards_h
 
 #include <caudal/viscous/run_output.h>
-#include <caudal/viscous/time_scheme.h>
 
 #include <map>
 
@@ -17,10 +16,11 @@ namespace caudal
   class Guards
   {
   public:
-    Guards(const GuardParameters &parameters, const ImmersedSystem<dim> &system);
+    explicit Guards(const GuardParameters &parameters);
 
     /** After each step. */
-    void check(double time, const EnergyLedger &ledger, const EnergyLedger &start, Log &log);
+    void check(const Observation<dim> &observation, const EnergyLedger &ledger,
+               const EnergyLedger &start, Log &log);
 
     /** How many steps were outside of which limit. */
     void print_summary(Log &log) const;
@@ -35,16 +35,17 @@ namespace caudal
     };
 
     const GuardParameters              &parameters;
-    ImmersedSystem<dim>                 system;
     unsigned int                        n_steps = 0; // checked so far
     std::map<std::string, unsigned int> counts;      // steps, by what was measured
 
     /** A start at once is damped by the time scheme, and there is little other energy yet. */
     static constexpr unsigned int n_starting_steps = 10;
 
-    void   check_body(const SwimmingBody<dim> &body, double time, Log &log);
+    void   check_body(const Observation<dim> &observation, const BodyObservation<dim> &body,
+                      Log &log);
     void   warn(const Limit &limit, double value, double allowed, double time, Log &log);
-    double compute_tether_displacement(const SwimmingBody<dim> &body) const;
+    double compute_tether_displacement(const Observation<dim>     &observation,
+                                       const BodyObservation<dim> &body) const;
   };
 } // namespace caudal
 

@@ -7,7 +7,6 @@
 #include <caudal/observe/swim_report.h>
 #include <caudal/viscous/force_account.h>
 #include <caudal/viscous/parameters.h>
-#include <caudal/viscous/time_scheme.h>
 
 #include <optional>
 
@@ -25,18 +24,17 @@ namespace caudal
   class RunOutput
   {
   public:
-    RunOutput(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system,
+    RunOutput(const RunParameters<dim> &parameters, const Observation<dim> &observation,
               const OutputFolder &folder, Log &log, const std::optional<KeptResults> &kept = {});
 
     /** After each step: updates ledger and reports, writes a row and fields if they are due. */
-    void report_step(const TimeStepper &stepper, const StepResult<dim> &result,
-                     unsigned int n_cells);
+    void report_step(const Observation<dim> &observation);
 
-    /** After each change of the grid, before the step from @p time. */
-    void report_new_grid(double time);
+    /** After each change of the grid between two steps. */
+    void report_new_grid(const Observation<dim> &observation);
 
-    /** The state at @p time as fields, whether they are due or not; not twice at the same time. */
-    void write_fields(double time);
+    /** The state as fields, whether they are due or not; not twice at the same time. */
+    void write_fields(const Observation<dim> &observation);
 
     void finish();
 
@@ -72,14 +70,8 @@ namespace caudal
     /** Of the last tail beat of the first body that has made one [s]; 0 if there is none. */
     double get_last_beat_period() const;
 
-    double get_largest_velocity() const
-    {
-      return flow.largest_velocity;
-    }
-
   private:
     const RunParameters<dim>                &parameters;
-    ImmersedSystem<dim>                      system;
     Log                                     &log;
     Statistics                               statistics;
     FieldOutput                              field_output;
@@ -87,25 +79,23 @@ namespace caudal
     std::vector<Tensor<1, dim>>              initial_centers;
     ForceAccount<dim>                        forces;
     EnergyLedger                             ledger, initial_ledger;
-    std::vector<double>                      body_impulses; // forward [N s/m]
-    FlowSummary<dim>                         flow;
+    std::vector<double>                      body_impulses;                  // forward [N s/m]
     double                                   last_dissipation           = 0; // [W/m]
     double                                   last_numerical_dissipation = 0; // [W/m]
     double                                   last_external_power        = 0; // [W/m]
     unsigned int                             n_field_outputs            = 0;
     double                                   last_field_time            = -1;
 
-    SwimmerConstants get_constants(const SwimmingBody<dim> &body) const;
-    void             update_ledger(double time, double step, double damping);
-    void             update_forces(double time);
+    SwimmerConstants get_constants(const Body<dim> &body) const;
+    void             update_ledger(const Observation<dim> &observation);
+    void             update_forces(const Observation<dim> &observation);
     bool             fields_are_due(double time) const;
-    void             report_swimming(double time, double step);
-    void             write_statistics(const TimeStepper &stepper, const StepResult<dim> &result,
-                                      unsigned int n_cells);
-    void             set_probe_statistics();
-    void             set_body_statistics(unsigned int body);
-    void             write_fluid(double time);
-    void             write_body(const SwimmingBody<dim> &body, double time);
+    void             report_swimming(const Observation<dim> &observation);
+    void             write_statistics(const Observation<dim> &observation);
+    void             set_probe_statistics(const Observation<dim> &observation);
+    void             set_body_statistics(const Observation<dim> &observation, unsigned int body);
+    void             write_fluid(const Observation<dim> &observation);
+    void write_body(const Observation<dim> &observation, const BodyObservation<dim> &observed);
   };
 } // namespace caudal
 

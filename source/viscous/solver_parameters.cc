@@ -1,0 +1,41 @@
+#include <caudal/viscous/solver_parameters.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  void SolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Tolerance", tolerance,
+                      "Residual of the linear system of a step relative to the forces in it [1].");
+    prm.add_parameter(
+        "Largest number of iterations", largest_number_of_iterations,
+        "Iterations after which an old factorisation is renewed, and after which a step "
+        "with a new one has failed [1].",
+        Patterns::Integer(2));
+    prm.add_parameter(
+        "Augmentation", augmentation,
+        "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
+        "the smallest length of the domain: larger means fewer iterations and larger "
+        "round-off [1].");
+    prm.add_parameter(
+        "Reuse factorisation", reuse,
+        "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
+        "never: factorise in each step.",
+        Patterns::Selection("automatic|never"));
+    prm.leave_subsection();
+  }
+
+  void SolverParameters::check() const
+  {
+    AssertThrow(tolerance > 0 && tolerance < 1e-2,
+                ExcMessage("Solver/Tolerance: the value is " + std::to_string(tolerance) +
+                           ". Give a number between 0 and 0.01."));
+    AssertThrow(largest_number_of_iterations >= 2,
+                ExcMessage("Solver/Largest number of iterations: give at least 2."));
+    AssertThrow(std::isfinite(augmentation) && augmentation > 0,
+                ExcMessage("Solver/Augmentation: the value is " + std::to_string(augmentation) +
+                           ". Give a positive number, 1e3 for example."));
+  }
+} // namespace caudal
