@@ -3,7 +3,7 @@
 #include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -188,12 +188,12 @@ namespace
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
       return model == "potential"
-                 ? print_model_parameters(PotentialParameters(nullptr), command_line.format)
+                 ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
     if (model == "potential")
-      return run_model<PotentialSwimmer>(*file, command_line);
+      return run_model<IdealSwimmer>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
       return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);

@@ -1,7 +1,7 @@
 #include <caudal/app/model_run.h>
 #include <caudal/app/resume.h>
 #include <caudal/base/archive.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
 namespace caudal
@@ -87,5 +87,5 @@ namespace caudal
 
   template class ModelRun<ImmersedSwimmer<2>>;
   template class ModelRun<ImmersedSwimmer<3>>;
-  template class ModelRun<PotentialSwimmer>;
+  template class ModelRun<IdealSwimmer>;
 } // namespace caudal

@@ -2,7 +2,7 @@
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/io/safe_file.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -41,7 +41,7 @@ namespace caudal
       return differences.str();
     }
 
-    std::string compare_states(const PotentialState &whole, const PotentialState &resumed)
+    std::string compare_states(const IdealState &whole, const IdealState &resumed)
     {
       std::ostringstream differences;
       if (whole.time != resumed.time)
@@ -57,7 +57,7 @@ namespace caudal
              " values of the fluid, all bodies, tables and the list of fields";
     }
 
-    std::string describe_comparison(const PotentialState &)
+    std::string describe_comparison(const IdealState &)
     {
       return "impulses, place, energies, tables and the list of fields";
     }
@@ -133,6 +133,5 @@ namespace caudal
                                                           MPI_Comm);
   template std::string verify_restart<ImmersedSwimmer<3>>(const ParameterFile &, unsigned int,
                                                           MPI_Comm);
-  template std::string verify_restart<PotentialSwimmer>(const ParameterFile &, unsigned int,
-                                                        MPI_Comm);
+  template std::string verify_restart<IdealSwimmer>(const ParameterFile &, unsigned int, MPI_Comm);
 } // namespace caudal

@@ -46,16 +46,15 @@ namespace caudal::ideal
     std::vector<BodySlice> slices;
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      std::vector<Point<3>> positions;
-      for (const auto node : surface.get_nodes(cell))
-        positions.push_back(place(surface.get_reference_points()[node]));
-      const CellRule at(rule, positions);
-      for (unsigned int q = 0; q < rule.n_points; ++q)
+      CellArray<Point<3>> nodes;
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        nodes[k] = place(surface.get_reference_points()[surface.get_nodes(cell)[k]]);
+      const PlacedRule at(rule, nodes);
+      for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const Point<3> X = at.get_point(q);
-        const double   y = X[1], z = X[2], N = at.get_area(q)[1];
-        BodySlice      slice;
-        slice.s             = X[0];
+        const double y = at.points[q][1], z = at.points[q][2], N = at.areas[q][1];
+        BodySlice    slice;
+        slice.s             = at.points[q][0];
         slice.moments[0][0] = N * y;
         slice.moments[0][1] = N * y * y / 2.;
         slice.moments[0][2] = N * y * z;

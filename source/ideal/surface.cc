@@ -84,13 +84,13 @@ namespace caudal::ideal
     check_cells("Cells across", n_across);
   }
 
-  Surface::Surface(const SurfaceParameters &parameters)
-      : from_file(!parameters.file.empty())
+  Surface::Surface(const SurfaceParameters &parameters, const std::string &file)
+      : from_file(!file.empty())
       , fe(degree)
       , dof_handler(triangulation)
   {
     if (from_file)
-      read(parameters.file);
+      read(file);
     else
       make_cubed_sphere(parameters.n_along, parameters.n_across);
     number_nodes();

@@ -71,9 +71,9 @@ void check(const std::string &name, const Surface &surface, const TestBody &body
       return moved;
     };
     const auto differences = differentiate(at.c, [&](const std::vector<double> &c) {
-      return 0.5 * elements.compute_potentials(place(c)).added_mass.matrix_norm_square(motion);
+      return 0.5 * elements.solve(place(c)).get_potentials().added_mass.matrix_norm_square(motion);
     });
-    const auto gradient    = elements.solve(place(at.c))->compute_energy_gradient(u, rates);
+    const auto gradient    = elements.solve(place(at.c)).compute_energy_gradient(u, rates);
     if (is_root)
       std::cout << name << (height > 0. ? ", moved" : "") << ": gradient of the fluid's energy "
                 << below(compare(gradient, differences), 1e-7) << std::endl;
@@ -105,7 +105,7 @@ int main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  const Surface surface({3, 2, ""});
+  const Surface surface({3, 2});
   const Entries fish = {{"Stations/Table", "0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3"}};
   check("joints", surface, TestBody(surface, fish, {}), is_root);
   check("curvature", surface, TestBody(surface, fish, {{"Type", "curvature wave"}}), is_root);

@@ -29,7 +29,26 @@ namespace caudal::ideal
     bool               is_symmetric() const override;
     double             get_length() const override;
 
+    // By differences of fourth order.
+    std::vector<std::vector<Tensor<1, 3>>>
+                        compute_mode_rates(const std::vector<double> &c,
+                                           const std::vector<double> &rates) const override;
+    std::vector<double> compute_body_energy_gradient(const std::vector<double> &c,
+                                                     const std::vector<double> &u) const override;
+
   private:
+    /** Calls visit(c + k step direction, weight) such that the weighted sum is the derivative. */
+    template <class Visit>
+    static void visit_neighbours(const std::vector<double> &c, const std::vector<double> &direction,
+                                 const Visit &visit)
+    {
+      const double step = 1e-3;
+      for (const auto &[k, weight] : {std::pair(-2., 1. / 12.), std::pair(-1., -8. / 12.),
+                                      std::pair(1., 8. / 12.), std::pair(2., -1. / 12.)})
+        visit(std::vector<double>{c[0] + k * step * direction[0], c[1] + k * step * direction[1]},
+              weight / step);
+    }
+
     /** R(mu) and dR/dc_i [m] without and with the factor 1/N. */
     struct Radius
     {
@@ -189,6 +208,36 @@ namespace caudal::ideal
         mass(6 + i, 6 + j) = volume * centre_by_mode[i] * centre_by_mode[j];
     }
     return mass;
+  }
+
+  inline std::vector<std::vector<Tensor<1, 3>>>
+  PulsatingSphere::compute_mode_rates(const std::vector<double> &c,
+                                      const std::vector<double> &rates) const
+  {
+    // d^2X/(dc_i dc_j) is symmetric: the modes' derivatives in the direction of the rates.
+    std::vector<std::vector<Tensor<1, 3>>> result(2, std::vector<Tensor<1, 3>>(directions.size()));
+    visit_neighbours(c, rates, [&](const std::vector<double> &moved, const double weight) {
+      const SurfaceMotion motion = place(moved);
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int node = 0; node < directions.size(); ++node)
+          result[i][node] += weight * motion.modes[i][node];
+    });
+    return result;
+  }
+
+  inline std::vector<double>
+  PulsatingSphere::compute_body_energy_gradient(const std::vector<double> &c,
+                                                const std::vector<double> &u) const
+  {
+    const Vector<double> motion(u.begin(), u.end());
+    std::vector<double>  gradient(2, 0.);
+    for (unsigned int i = 0; i < 2; ++i)
+      visit_neighbours(c, {i == 0 ? 1. : 0., i == 0 ? 0. : 1.},
+                       [&](const std::vector<double> &moved, const double weight) {
+                         gradient[i] +=
+                             weight * 0.5 * compute_body_mass(moved).matrix_norm_square(motion);
+                       });
+    return gradient;
   }
 } // namespace caudal::ideal
 

@@ -133,7 +133,7 @@ void check_body(const std::string &name, const Surface &surface, const TestBody 
   const FullMatrix<double> bent = deformation->compute_body_mass(at.c);
   const double             straight =
       deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
-  const double volume = elements.compute_potentials(deformation->place(at.c)).volume;
+  const double volume = elements.solve(deformation->place(at.c)).get_potentials().volume;
   std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
             << below(rate_error, 1e-8) << ", volume of the body "
             << below(std::abs(bent(3, 3) / straight - 1.), 1e-7) << ", of its surface "
@@ -146,7 +146,7 @@ void check_body(const std::string &name, const Surface &surface, const TestBody 
 // Against the moments of an ellipsoid about its nose.
 void check_ellipsoid()
 {
-  const Surface            surface({2, 2, ""});
+  const Surface            surface({2, 2});
   const TestBody           body(surface, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "3, 2, 1"}},
                                 {{"Type", "none"}});
   const FullMatrix<double> mass   = body.deformation->compute_body_mass({});
@@ -167,7 +167,7 @@ void check_file()
                                "5 2 -1 1\n6 4 -1 1\n7 4 1 1\n8 2 1 1\n"
                                "1 0 quad 1 4 3 2\n2 0 quad 5 6 7 8\n3 0 quad 1 2 6 5\n"
                                "4 0 quad 3 4 8 7\n5 0 quad 1 5 8 4\n6 0 quad 2 3 7 6\n";
-  const Surface     surface({1, 1, "cube.ucd"});
+  const Surface     surface({1, 1}, "cube.ucd");
   const MeshBody    shape(surface);
   const auto        gait = make_gait({{"Type", "none"}}, shape.get_length());
   const BendingBody body(surface, shape, *gait);
@@ -178,7 +178,8 @@ void check_file()
             << below(std::abs(mass(2, 2) - 8. * (1. + 2. / 3.)), 1e-12) << ", added mass "
             << std::lround(100. *
                            BoundaryElements(surface, MPI_COMM_SELF)
-                               .compute_potentials(body.place({}))
+                               .solve(body.place({}))
+                               .get_potentials()
                                .added_mass(3, 3) /
                            8.)
             << " %" << std::endl;
@@ -192,7 +193,7 @@ int main(int argc, char **argv)
   check_ellipsoid();
   check_file();
 
-  const Surface surface({12, 8, ""});
+  const Surface surface({12, 8});
   const Entries fish       = {{"Stations/Table", salmon}};
   const auto    check_fish = [&](const std::string &name, const Entries &gait) {
     check_body(name, surface, TestBody(surface, fish, gait));

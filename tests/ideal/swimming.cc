@@ -49,7 +49,7 @@ struct Swimmer
 
   // The pulsating sphere of unit radius.
   Swimmer(const unsigned int n_cells, const double amplitude, const unsigned int n_phases)
-      : surface({n_cells, n_cells, ""})
+      : surface({n_cells, n_cells})
       , body(surface, 1., amplitude)
       , swimming_shape(surface, *body.deformation, *body.gait, Densities(), Torques::none,
                        MPI_COMM_SELF)
@@ -102,8 +102,8 @@ void check_deforming_sphere()
 // A spheroid bent by a wave of curvature: displacement and energy of another code.
 void check_bent_spheroid()
 {
-  Swimmer swimmer({12, 6, ""}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.5, 0.125, 0.125"}},
-                  {{"Type", "curvature wave"}}, 16);
+  Swimmer      swimmer({12, 6}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.5, 0.125, 0.125"}},
+                       {{"Type", "curvature wave"}}, 16);
   const double mass =
       swimmer.body.deformation->compute_body_mass(swimmer.body.gait->evaluate(0.).c)(3, 3) * 1000.;
   const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
@@ -117,11 +117,11 @@ void check_strokes()
 {
   const Entries fish = {{"Stations/Table", salmon}};
   Entries       gait;
-  Swimmer       swimmer({4, 3, ""}, fish, gait, 32);
+  Swimmer       swimmer({4, 3}, fish, gait, 32);
   const double  slow  = swimmer.swim(0.64, 12).norm() / 12.,
                fast   = swimmer.swim(1.43, 28).norm() / 28.;
   gait["Wave number"] = "0";
-  const double none   = Swimmer({4, 3, ""}, fish, gait, 32).swim(1., 3).norm();
+  const double none   = Swimmer({4, 3}, fish, gait, 32).swim(1., 3).norm();
   std::cout << "salmon: displacement a stroke at .64 and 1.43 Hz the same "
             << below(std::abs(slow / fast - 1.), 1e-6) << ", without phase lag none "
             << below(none / slow, 1e-6) << std::endl;
@@ -129,7 +129,7 @@ void check_strokes()
   // psi -> psi + pi maps (omega_z, v_x, v_y) to (-, +, -): without use of the symmetry, since
   // an odd number of phases is not mirrored.
   gait = {{"Type", "sine"}};
-  Swimmer     odd({4, 3, ""}, fish, gait, 33);
+  Swimmer     odd({4, 3}, fish, gait, 33);
   const Screw q = odd.table.compute_motion(0.4).compute_velocity(Screw(), 1.);
   const Screw p = odd.table.compute_motion(0.4 + numbers::PI).compute_velocity(Screw(), 1.);
   std::cout << "glide symmetry: all phases computed "
@@ -149,7 +149,7 @@ void check_energy_and_table()
   for (const double amplitude : {10., 30.})
   {
     gait["Sine/Amplitude"] = Patterns::Tools::to_string(amplitude);
-    Swimmer      swimmer({4, 3, ""}, fish, gait, 32, Torques::from_rest);
+    Swimmer      swimmer({4, 3}, fish, gait, 32, Torques::from_rest);
     double       error = 0., largest = 0., work = 0.;
     const double h      = 1e-3;
     const auto   energy = [&](const double psi) {
@@ -221,7 +221,7 @@ void check_torques_in_motion()
   Entries       gait;
   gait["Type"]           = "sine";
   gait["Sine/Amplitude"] = "10"; // of which a coarse surface needs no more phases
-  Swimmer              swimmer({3, 2, ""}, fish, gait, 32, Torques::any);
+  Swimmer              swimmer({3, 2}, fish, gait, 32, Torques::any);
   ResistanceParameters resistance;
   resistance.drag     = 1.;
   resistance.friction = 0.1; // Blasius's law has no dissipation function
@@ -281,7 +281,7 @@ void check_torques_in_motion()
 // R Lambda + r x R Pi.
 void check_free_ellipsoid()
 {
-  Swimmer       swimmer({3, 3, ""}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "4, 2, 1"}},
+  Swimmer       swimmer({3, 3}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "4, 2, 1"}},
                         {{"Type", "none"}}, 1);
   MotionProblem problem;
   problem.model  = &swimmer.table;

@@ -1,5 +1,5 @@
-#ifndef caudal_ideal_potential_parameters_h
-#define caudal_ideal_potential_parameters_h
+#ifndef caudal_ideal_ideal_parameters_h
+#define caudal_ideal_ideal_parameters_h
 
 #include <caudal/base/parameter_file.h>
 #include <caudal/fish/gait.h>
@@ -30,7 +30,7 @@ namespace caudal
   };
 
   /** Section `Body <name>`: the swimmer at rest and how it moves. */
-  struct PotentialBodyParameters
+  struct IdealBodyParameters
   {
     ShapeParameters<3>  shape{"stations", 0.1};
     GaitParameters      gait{"arctangent"};
@@ -59,7 +59,7 @@ namespace caudal
   };
 
   /** All parameters of a run of the swimmer in an ideal fluid. */
-  struct PotentialParameters
+  struct IdealParameters
   {
     /**
      * What body and motion are, and columns of the tables depend on: entries that can't change
@@ -74,20 +74,17 @@ namespace caudal
     double                      fluid_density = 1000.;
     OutputSchedule              time;
     ideal::SurfaceParameters    surface;
-    PotentialBodyParameters     body;
+    IdealBodyParameters         body;
     IntegrationParameters       integration;
     ideal::ResistanceParameters resistance;
     OutputParameters            output;
     CheckpointParameters        checkpoint;
 
     /** The body is the one that @p file names; without a file it is called <name>. */
-    explicit PotentialParameters(const ParameterFile *file);
+    explicit IdealParameters(const ParameterFile *file);
 
     /** Entries that had other names in earlier versions. */
-    static std::vector<RenamedEntry> get_renamed_entries()
-    {
-      return {};
-    }
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     void declare(ParameterHandler &prm);
     void check() const;

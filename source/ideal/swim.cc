@@ -1,4 +1,4 @@
-#include <caudal/ideal/potential_swim.h>
+#include <caudal/ideal/swim.h>
 
 #include <algorithm>
 #include <map>
@@ -33,14 +33,16 @@ namespace caudal
     }
   }
 
-  PotentialSwim::PotentialSwim(const MotionProblem &problem, const Instants &instants,
-                               const bool has_torques, PotentialOutput &output, SwimState &state)
+  Swim::Swim(const MotionProblem &problem, const Instants &instants, const bool has_torques,
+             const OutputParameters &output, MotionTable &table, SurfaceOutput &surface,
+             SwimState &state)
       : problem(problem)
       , instants(instants)
       , has_torques(has_torques)
       , output(output)
+      , table(table)
+      , surface(surface)
       , state(state)
-      , next(0)
   {
     const auto &times = instants.times;
     if (state.has_begun())
@@ -49,19 +51,19 @@ namespace caudal
           times.begin();
   }
 
-  void PotentialSwim::start(const Screw &impulse)
+  void Swim::start(const Screw &impulse)
   {
     BodyState body;
     body.impulse = impulse;
     take(body);
   }
 
-  BodyState PotentialSwim::integrate() const
+  BodyState Swim::integrate() const
   {
     return advance_motion(problem, state.last.body, state.last.time, instants.times[next]);
   }
 
-  void PotentialSwim::take(const BodyState &body)
+  void Swim::take(const BodyState &body)
   {
     const MotionSample sample = compute_sample(problem, body, instants.times[next], has_torques);
     if (next == 0)
@@ -74,9 +76,26 @@ namespace caudal
     }
     state.last = sample;
     if (instants.is_output[next])
-      output.write(sample, problem, state.get_distance());
+      write(sample);
     if (instants.ends_stroke[next])
-      state.strokes.add(sample);
+    {
+      const Tensor<1, 3> direction = body.rotate(Tensor<1, 3>({1., 0., 0.}));
+      state.stroke_ends.push_back({sample.centre, std::atan2(direction[1], direction[0])});
+    }
     ++next;
+  }
+
+  void Swim::write(const MotionSample &sample)
+  {
+    if (state.n_output_times % output.statistics_interval == 0)
+      table.write_row(sample, state.get_distance());
+    ++state.n_output_times;
+    const double end    = instants.times.back();
+    const auto has_come = [&](const double time) { return sample.time >= time - tolerance * end; };
+    const bool are_due  = has_come(state.next_fields);
+    if (are_due || has_come(end))
+      surface.write(sample, problem, state.n_fields++);
+    if (are_due)
+      state.next_fields += output.field_interval;
   }
 } // namespace caudal

@@ -1,19 +1,8 @@
-#include <caudal/ideal/potential_parameters.h>
+#include <caudal/base/checks.h>
+#include <caudal/ideal/ideal_parameters.h>
 
 namespace caudal
 {
-  namespace
-  {
-    /** Throws a sentence unless the value is finite and @p ok. */
-    void check_value(const std::string &entry, const double value, const bool ok,
-                     const std::string &remedy)
-    {
-      AssertThrow(std::isfinite(value) && ok,
-                  ExcMessage(entry + ": the value is " + Patterns::Tools::to_string(value) +
-                             ". Give " + remedy + "."));
-    }
-  } // namespace
-
   void OutputSchedule::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
@@ -21,19 +10,19 @@ namespace caudal
     prm.add_parameter("Step", step,
                       "Time between two rows of output [s]. The motion itself is integrated as "
                       "finely as Integration/Tolerance asks.");
-    prm.add_parameter("First step", first_step, "The same in the first part [s].");
+    prm.add_parameter("First step", first_step, "Time between two rows in the first part [s].");
     prm.add_parameter("First part", first_part,
-                      "How long the first part is [s]; 1 s with steps of 0.001 s is the paper's "
-                      "dynamic start.");
+                      "How long the first part is [s]; 1 s with steps of 0.001 s is the dynamic "
+                      "start of Yao et al.");
     prm.leave_subsection();
   }
 
   void OutputSchedule::check() const
   {
-    check_value("Time/End time", end_time, end_time > 0., "a positive time [s]");
-    check_value("Time/Step", step, step > 0., "a positive time [s]");
-    check_value("Time/First step", first_step, first_step > 0., "a positive time [s]");
-    check_value("Time/First part", first_part, first_part >= 0., "a time, or 0 for none [s]");
+    check_positive("Time/End time", end_time, "Give a positive time [s].");
+    check_positive("Time/Step", step, "Give a positive time [s].");
+    check_positive("Time/First step", first_step, "Give a positive time [s].");
+    check_not_negative("Time/First part", first_part, "Give a time, or 0 for none [s].");
     const double n_rows = std::min(first_part, end_time) / first_step + end_time / step;
     AssertThrow(n_rows < 1e7,
                 ExcMessage("Time/Step: there would be " + Patterns::Tools::to_string(n_rows) +
@@ -56,7 +45,7 @@ namespace caudal
     return times;
   }
 
-  void PotentialBodyParameters::add_parameters(ParameterHandler &prm)
+  void IdealBodyParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Shape");
     shape.add_entries(prm);
@@ -67,37 +56,33 @@ namespace caudal
                       "Of body and fluid at the start, along x, y, z [kg m/s]; the motion of a "
                       "body at rest has none.",
                       Patterns::List(Patterns::Double(), 3, 3));
-    prm.add_parameter("Angular impulse", angular_impulse, "The same about the nose [kg m^2/s].",
+    prm.add_parameter("Angular impulse", angular_impulse,
+                      "Of body and fluid at the start, about the nose [kg m^2/s].",
                       Patterns::List(Patterns::Double(), 3, 3));
   }
 
-  void PotentialBodyParameters::check(const std::string &path) const
+  void IdealBodyParameters::check(const std::string &path) const
   {
     shape.check(path + "/Shape");
     gait.check(path);
-    check_value(path + "/Density", density, density >= 0.,
-                "a positive density [kg/m^3], or 0 for that of the fluid");
+    check_not_negative(path + "/Density", density,
+                       "Give a positive density [kg/m^3], or 0 for that of the fluid.");
     for (const double component : linear_impulse)
-      check_value(path + "/Linear impulse", component, true, "finite numbers");
+      check_finite(path + "/Linear impulse", component, "Give finite numbers.");
     for (const double component : angular_impulse)
-      check_value(path + "/Angular impulse", component, true, "finite numbers");
+      check_finite(path + "/Angular impulse", component, "Give finite numbers.");
   }
 
-  bool PotentialBodyParameters::is_from_rest() const
+  bool IdealBodyParameters::is_from_rest() const
   {
     const std::vector<double> zero(3, 0.);
     return linear_impulse == zero && angular_impulse == zero;
   }
 
-  ideal::Screw PotentialBodyParameters::get_impulse() const
+  ideal::Screw IdealBodyParameters::get_impulse() const
   {
-    ideal::Screw impulse;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      impulse[d]     = angular_impulse[d];
-      impulse[3 + d] = linear_impulse[d];
-    }
-    return impulse;
+    const std::vector<double> &L = angular_impulse, &P = linear_impulse;
+    return ideal::Screw({L[0], L[1], L[2], P[0], P[1], P[2]});
   }
 
   void IntegrationParameters::add_parameters(ParameterHandler &prm)
@@ -124,11 +109,11 @@ namespace caudal
 
   void IntegrationParameters::check() const
   {
-    check_value("Integration/Tolerance", tolerance, tolerance >= 1e-14 && tolerance <= 1e-2,
-                "a number from 1e-14 to 1e-2");
+    check_between("Integration/Tolerance", tolerance, 1e-14, 1e-2,
+                  "Give a number from 1e-14 to 1e-2.");
   }
 
-  PotentialParameters::PotentialParameters(const ParameterFile *file)
+  IdealParameters::IdealParameters(const ParameterFile *file)
       : body_name(file ? file->get("Bodies", "fish") : "<name>")
   {
     AssertThrow(!body_name.empty() && body_name.find(',') == std::string::npos,
@@ -136,7 +121,24 @@ namespace caudal
                            ">. Give one name: the ideal fluid has one body."));
   }
 
-  void PotentialParameters::declare(ParameterHandler &prm)
+  std::vector<RenamedEntry> IdealParameters::get_renamed_entries()
+  {
+    // Before bodies had names, there was one, which is called by default as its fields are.
+    const std::string shape = "Body fish/Shape/", gait = "Body fish/Gait/";
+    return {{"Shape/Stations", shape + "Stations/Table"},
+            {"Shape/Stations file", shape + "Stations/File"},
+            {"Shape/Interpolation", shape + "Stations/Interpolation"},
+            {"Shape/Axes", shape + "Ellipsoid/Axes"},
+            {"Surface/File", shape + "File/Name"},
+            {"Gait/Type", gait + "Type", "curvature", "curvature wave"},
+            {"Gait/Amplitude", gait + "Sine/Amplitude"},
+            {"Gait/Curvature", gait + "Curvature wave/Amplitude"},
+            {"Shape", "Body fish/Shape"},
+            {"Gait", "Body fish/Gait"},
+            {"Body", "Body fish"}};
+  }
+
+  void IdealParameters::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
                       "The model: potential, a body of prescribed deformation in an ideal fluid "
@@ -159,11 +161,11 @@ namespace caudal
     checkpoint.add_parameters(prm);
   }
 
-  void PotentialParameters::check() const
+  void IdealParameters::check() const
   {
     time.check();
     surface.check();
-    check_value("Fluid/Density", fluid_density, fluid_density > 0., "a positive density [kg/m^3]");
+    check_positive("Fluid/Density", fluid_density, "Give a positive density [kg/m^3].");
     body.check(get_body_path());
     integration.check();
     resistance.check();
@@ -171,7 +173,7 @@ namespace caudal
     checkpoint.check();
   }
 
-  ideal::Densities PotentialParameters::get_densities() const
+  ideal::Densities IdealParameters::get_densities() const
   {
     return {fluid_density, body.density > 0. ? body.density : fluid_density};
   }

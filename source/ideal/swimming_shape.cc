@@ -1,131 +1,33 @@
-#include <caudal/ideal/stroke_model.h>
+#include <caudal/ideal/swimming_shape.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
 
 namespace caudal::ideal
 {
-  namespace
-  {
-    /** From b to the solution x of A x = b by Cholesky's factors; false if there are none. */
-    bool solve_positive_definite(Tensor<2, 6> A, Screw &x)
-    {
-      for (unsigned int i = 0; i < 6; ++i)
-      {
-        for (unsigned int j = 0; j < i; ++j)
-        {
-          for (unsigned int k = 0; k < j; ++k)
-            A[i][j] -= A[i][k] * A[j][k];
-          A[i][j] /= A[j][j];
-          A[i][i] -= A[i][j] * A[i][j];
-          x[i] -= A[i][j] * x[j];
-        }
-        if (!(A[i][i] > 0.))
-          return false;
-        A[i][i] = std::sqrt(A[i][i]);
-        x[i] /= A[i][i];
-      }
-      for (unsigned int i = 6; i-- > 0;)
-      {
-        for (unsigned int k = i + 1; k < 6; ++k)
-          x[i] -= A[k][i] * x[k];
-        x[i] /= A[i][i];
-      }
-      return true;
-    }
-
-    class BruteForce : public StrokeModel
-    {
-    public:
-      BruteForce(SwimmingShape &shape, const double increment)
-          : shape(shape)
-          , increment(increment)
-      {}
-
-      MotionCoefficients compute_motion(const double argument) override
-      {
-        return get(argument).state.motion;
-      }
-
-      StrokeState compute_state(const double argument) override
-      {
-        return get(argument).state;
-      }
-
-      std::vector<double> compute_torques(const double argument, const Drive &drive) override
-      {
-        const std::vector<double> before = get(argument - increment).state.torques.momenta;
-        std::vector<double>       rates  = get(argument + increment).state.torques.momenta;
-        for (std::size_t k = 0; k < rates.size(); ++k)
-          rates[k] = (rates[k] - before[k]) / (2. * increment);
-        const StrokeState &at = get(argument).state;
-        return compute_lagrange_torques(at.torques, rates, at.rates.size(), drive);
-      }
-
-      Tensor<1, 3> compute_centre_rate(const double argument) override
-      {
-        const Tensor<1, 3> before = get(argument - increment).state.centre;
-        return (get(argument + increment).state.centre - before) / (2. * increment);
-      }
-
-      FullMatrix<double> compute_potentials(const double argument) override
-      {
-        return get(argument).potentials;
-      }
-
-    private:
-      struct Entry
-      {
-        double             argument;
-        StrokeState        state;
-        FullMatrix<double> potentials;
-      };
-
-      /** Computes it, unless it is one of the last few. */
-      const Entry &get(const double argument)
-      {
-        for (const auto &entry : entries)
-          if (entry->argument == argument)
-            return *entry;
-        auto entry      = std::make_unique<Entry>();
-        entry->argument = argument;
-        entry->state    = shape.compute_state(argument, &entry->potentials);
-        if (entries.size() > 8)
-          entries.erase(entries.begin());
-        entries.push_back(std::move(entry));
-        return *entries.back();
-      }
-
-      SwimmingShape                      &shape;
-      const double                        increment;
-      std::vector<std::unique_ptr<Entry>> entries;
-    };
-  } // namespace
-
   Screw MotionCoefficients::compute_velocity(const Screw &impulse, const double rate) const
   {
-    Screw result = impulse - rate * momentum;
-    AssertThrow(solve_positive_definite(mass, result),
-                ExcMessage("The mass matrix of body and fluid is not positive definite: the body's "
-                           "surface intersects itself, or is too coarse. Reduce the deformation, "
-                           "or refine section Surface."));
-    return result;
-  }
-
-  std::vector<double> compute_lagrange_torques(const TorqueCoefficients  &coefficients,
-                                               const std::vector<double> &momentum_rates,
-                                               const unsigned int n_modes, const Drive &drive)
-  {
-    std::vector<double> torques(n_modes, 0.);
-    const unsigned int  n = n_modes > 0 ? momentum_rates.size() / n_modes : 0;
-    auto momentum = coefficients.momenta.begin(), gradient = coefficients.energy_gradient.begin();
-    auto momentum_rate = momentum_rates.begin();
-    for (double &torque : torques)
-      for (unsigned int a = 0; a < n; ++a)
-      {
-        torque +=
-            *momentum_rate++ * drive.rate * drive.get(a) + *momentum++ * drive.get_derivative(a);
-        for (unsigned int b = a; b < n; ++b)
-          torque -= *gradient++ * drive.get(a) * drive.get(b);
-      }
-    return torques;
+    LAPACKFullMatrix<double> matrix(6);
+    Vector<double>           q(6);
+    matrix.set_property(LAPACKSupport::symmetric);
+    for (unsigned int i = 0; i < 6; ++i)
+    {
+      q(i) = impulse[i] - rate * momentum[i];
+      for (unsigned int j = 0; j < 6; ++j)
+        matrix(i, j) = mass[i][j];
+    }
+    try
+    {
+      matrix.compute_cholesky_factorization();
+      matrix.solve(q);
+    }
+    catch (const ExceptionBase &)
+    {
+      AssertThrow(false,
+                  ExcMessage("The mass matrix of body and fluid is not positive definite: "
+                             "the body's surface intersects itself, or is too coarse. Reduce "
+                             "the deformation, or refine section Surface."));
+    }
+    return Screw({q(0), q(1), q(2), q(3), q(4), q(5)});
   }
 
   double StrokeState::compute_energy_from_rest() const
@@ -149,14 +51,15 @@ namespace caudal::ideal
     const GaitState    at = gait.evaluate(argument);
     const unsigned int n  = deformation.n_modes();
     StrokeState        state;
+    state.c                       = at.c;
     state.rates                   = at.rates;
-    const auto               flow = boundary_elements.solve(deformation.place(at.c));
+    ExteriorFlow             flow = boundary_elements.solve(deformation.place(at.c));
     const FullMatrix<double> body = deformation.compute_body_mass(at.c);
-    FullMatrix<double>       mass = flow->get_potentials().added_mass;
+    FullMatrix<double>       mass = flow.get_potentials().added_mass;
     mass *= densities.fluid;
     mass.add(densities.body, body);
     if (potentials != nullptr)
-      *potentials = flow->get_potentials().values;
+      *potentials = flow.get_potentials().values;
     for (unsigned int i = 0; i < 6; ++i)
     {
       for (unsigned int j = 0; j < 6; ++j)
@@ -171,7 +74,7 @@ namespace caudal::ideal
     // The block between rotation and translation of the body's own mass is m c^.
     state.centre = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
 
-    state.torques = compute_torque_coefficients(*flow, mass, at, state.motion);
+    state.torques = compute_torque_coefficients(flow, mass, at, state.motion);
     return state;
   }
 
@@ -245,10 +148,5 @@ namespace caudal::ideal
           result.energy_gradient[i * n_pairs + pair] = gradient[i] * sizes[a] * sizes[b];
       }
     return result;
-  }
-
-  std::unique_ptr<StrokeModel> create_brute_force(SwimmingShape &shape, const double increment)
-  {
-    return std::make_unique<BruteForce>(shape, increment);
   }
 } // namespace caudal::ideal
