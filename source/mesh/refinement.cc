@@ -129,16 +129,13 @@ namespace caudal
       void set_wanted_levels(const parallel::distributed::Triangulation<dim> &triangulation,
                              const double                                     time)
       {
-        const std::string path    = "Refinement/Level expression";
-        const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
-        level_function->set_time(time);
+        Expression<dim> level_function("Refinement/Level expression", parameters.level_expression,
+                                       1);
+        level_function.set_time(time);
         run_on_all(triangulation.get_communicator(), [&]() {
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned())
-            {
-              check_finite(path, parameters.level_expression, *level_function, cell->center());
-              wanted_levels[cell->active_cell_index()] = level_function->value(cell->center());
-            }
+              wanted_levels[cell->active_cell_index()] = level_function.value(cell->center());
         });
       }
 

@@ -59,7 +59,7 @@ namespace caudal
     solver.add_parameters(prm);
     output.add_parameters(prm);
     checkpoint.add_parameters(prm);
-    guards.add_parameters(prm);
+    observers.add_parameters(prm);
   }
 
   template <int dim>
@@ -80,7 +80,7 @@ namespace caudal
     solver.check();
     output.check();
     checkpoint.check();
-    guards.check();
+    observers.check();
   }
 
   std::string get_model(const ParameterFile &file)

@@ -33,10 +33,7 @@ namespace caudal
     double      inflow_ramp = 0;
     std::string initial_velocity;
     std::string body_force;
-    std::string exact_solution;
 
-    std::vector<Point<dim>>  control_volume;
-    std::vector<Point<dim>>  probes;
     std::vector<std::string> boundary_names = std::vector<std::string>(2 * dim, "wall");
 
     FluidParameters();
