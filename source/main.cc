@@ -1,5 +1,6 @@
 #include <caudal/app/model_run.h>
 #include <caudal/app/verify_restart.h>
+#include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
 #include <caudal/ideal/potential_swimmer.h>
@@ -83,8 +84,9 @@ namespace
 
   /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
   template <class Swimmer>
-  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_model(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(Swimmer::Parameters::get_renamed_entries());
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
     if (command_line.action == Action::verify_restart)
@@ -182,6 +184,7 @@ namespace
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    load_libraries(file ? file->get("Libraries", "") : "");
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
       return model == "potential"
@@ -204,21 +207,9 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
-  std::string error;
-  try
-  {
-    return run(argc, argv);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
-    std::ostringstream text;
-    exception.print_info(text);
-    error = dealii::Utilities::trim(text.str());
-  }
-  catch (const std::exception &exception)
-  {
-    error = exception.what();
-  }
-  report_error(error);
-  return failed;
+  Exit              exit  = failed;
+  const std::string error = catch_error([&]() { exit = run(argc, argv); });
+  if (!error.empty())
+    report_error(error);
+  return exit;
 }

@@ -16,6 +16,10 @@ namespace caudal
     parameters.declare(prm);
     file.parse(prm);
     parameters.check();
+    for (const std::string &hint : file.get_hints())
+      remarks.push_back("Note: " + hint);
+    for (const std::string &sentence : file.find_idle_entries(prm))
+      remarks.push_back("Warning: " + sentence);
     values = extract_values(prm);
     std::ostringstream out;
     prm.print_parameters(out, ParameterHandler::PRM);
@@ -25,6 +29,8 @@ namespace caudal
   template <class Swimmer>
   void ModelRun<Swimmer>::check(std::ostream &out, const bool fast) const
   {
+    for (const std::string &remark : remarks)
+      out << remark << '\n';
     Swimmer swimmer(parameters, communicator);
     swimmer.start();
     swimmer.check(out, fast);
@@ -36,7 +42,7 @@ namespace caudal
     // What can be wrong with the case is found before anything is written.
     Swimmer swimmer(parameters, communicator);
     swimmer.start();
-    std::vector<std::string> messages;
+    std::vector<std::string> messages = remarks;
     for (const std::string &override_text : file.get_overrides())
       messages.push_back("Override: " + override_text);
     return run(swimmer, OutputFolder::Start::fresh, messages, stop_requested);

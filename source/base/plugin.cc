@@ -42,6 +42,13 @@ namespace caudal
     second_plugin() = name;
   }
 
+  void declare_libraries(ParameterHandler &prm)
+  {
+    prm.declare_entry("Libraries", "", Patterns::Anything(),
+                      "Shared libraries with plug-ins of your own, separated by commas; see "
+                      "examples/own_material.");
+  }
+
   void load_libraries(const std::string &files)
   {
     for (const std::string &file : Utilities::split_string_list(files))

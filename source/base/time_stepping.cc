@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/base/time_stepping.h>
 
 #include <algorithm>
@@ -40,18 +41,13 @@ namespace caudal
 
   void TimeParameters::check() const
   {
-    const auto check_positive = [](const char *entry, const double value) {
-      AssertThrow(std::isfinite(value) && value > 0,
-                  ExcMessage(std::string("Time/") + entry + ": the value is " +
-                             std::to_string(value) + ". Give a positive number."));
-    };
-    check_positive("End time", end_time);
-    check_positive("Step", step);
-    check_positive("Largest step", largest_step);
-    check_positive("Smallest step", smallest_step);
-    check_positive("Body CFL", body_cfl);
-    check_positive("Convective CFL", convective_cfl);
-    check_positive("Error tolerance", error_tolerance);
+    check_positive("Time/End time", end_time);
+    check_positive("Time/Step", step);
+    check_positive("Time/Largest step", largest_step);
+    check_positive("Time/Smallest step", smallest_step);
+    check_positive("Time/Body CFL", body_cfl);
+    check_positive("Time/Convective CFL", convective_cfl);
+    check_positive("Time/Error tolerance", error_tolerance);
     AssertThrow(!adaptive || smallest_step <= largest_step,
                 ExcMessage("Time/Largest step: it is less than Time/Smallest step. Make it "
                            "larger."));

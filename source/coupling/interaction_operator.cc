@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/coupling/deformed_cell.h>
 #include <caudal/coupling/interaction_operator.h>
 
@@ -14,11 +15,7 @@ namespace caudal
   void CouplingParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Coupling");
-    prm.add_parameter(
-        "Kernel", kernel,
-        "Regularised delta function; dirac is its variational limit, the finite element "
-        "field at the body's points.",
-        Patterns::Selection(get_kernel_names()));
+    kernel.add_parameters(prm);
     prm.add_parameter(
         "Quadrature density", quadrature_density,
         "Smallest number of quadrature points of the deformed body per fluid spacing, "
@@ -28,10 +25,9 @@ namespace caudal
 
   void CouplingParameters::check() const
   {
-    AssertThrow(
-        std::isfinite(quadrature_density) && quadrature_density > 0 && quadrature_density <= 20,
-        ExcMessage("Coupling/Quadrature density: the value is " +
-                   std::to_string(quadrature_density) + ". Give a number between 0 and 20."));
+    kernel.check("Coupling");
+    check_value(quadrature_density > 0 && quadrature_density <= 20, "Coupling/Quadrature density",
+                quadrature_density, "Give a number between 0 and 20.");
   }
 
   /**
@@ -50,7 +46,7 @@ namespace caudal
         , constraints(fluid.constraints)
         , body_element(body_dofs.get_fe())
         , element(velocity_dofs.get_fe())
-        , n_kernels(coupling.kernel.isotropic ? 1 : dim)
+        , n_kernels(coupling.kernel->is_isotropic() ? 1 : dim)
         , n_nodes(body_element.n_dofs_per_cell() / dim)
         , n_s(element.n_dofs_per_cell() / dim)
         , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(2))
@@ -125,8 +121,9 @@ namespace caudal
             {
               const Column  column(constraints,
                                    indices[element.component_to_system_index(component, s)]);
-              const double *value = block.values.data() +
-                                    (coupling.kernel.isotropic ? 0 : component) * n_nodes * n_s + s;
+              const double *value =
+                  block.values.data() +
+                  (coupling.kernel->is_isotropic() ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
                 add_entry(body_indices[body_element.component_to_system_index(component, a)],
                           column, *value);
@@ -200,9 +197,9 @@ namespace caudal
   };
 
   Coupling::Coupling(const CouplingParameters &parameters)
-      : kernel(create_kernel(parameters.kernel))
-      , along(kernel.along.get())
-      , across(kernel.across.get())
+      : kernel(parameters.kernel.create())
+      , along(*kernel)
+      , across(kernel->across())
       , quadrature_density(parameters.quadrature_density)
   {}
 

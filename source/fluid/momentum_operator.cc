@@ -64,12 +64,11 @@ namespace caudal
                            const typename DoFHandler<dim>::active_cell_iterator &cell,
                            const Vector<double> &transport, FullMatrix<double> &convection)
     {
-      const FESystem<dim> &element    = space.velocity_element;
-      const auto          &scalar     = element.base_element(0);
-      const auto           conditions = space.get_parameters().get_boundary_conditions();
+      const FESystem<dim> &element = space.velocity_element;
+      const auto          &scalar  = element.base_element(0);
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() &&
-            conditions[cell->face(f)->boundary_id()] == BoundaryCondition::outflow)
+            space.get_boundary_condition(cell->face(f)->boundary_id()).is_open())
         {
           const QGauss<dim - 1> face_quadrature(3);
           const Quadrature<dim> quadrature = QProjector<dim>::project_to_face(

@@ -130,6 +130,7 @@ namespace caudal
                       "The model: potential, a body of prescribed deformation in an ideal fluid "
                       "(the other one, immersed, has other parameters).",
                       Patterns::Selection("potential"));
+    declare_libraries(prm);
     time.add_parameters(prm);
     shape.add_parameters(prm);
     surface.add_parameters(prm);

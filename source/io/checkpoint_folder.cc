@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/io/checkpoint_folder.h>
 
 #include <caudal/base/collective.h>

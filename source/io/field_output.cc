@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/field_output.h>
 #include <caudal/io/safe_file.h>
@@ -125,10 +126,8 @@ namespace caudal
   void OutputParameters::check() const
   {
     AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
-    AssertThrow(std::isfinite(field_interval) && field_interval >= 0,
-                ExcMessage("Output/Interval of fields: the interval is " +
-                           std::to_string(field_interval) +
-                           " s. Give a positive time, or 0 for every step."));
+    check_not_negative("Output/Interval of fields", field_interval,
+                       "Give a positive time [s], or 0 for every step.");
   }
 
   FieldFormat OutputParameters::get_format() const

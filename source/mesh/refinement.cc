@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/mesh/refinement.h>
 
 #include <caudal/base/collective.h>
@@ -36,18 +37,13 @@ namespace caudal
 
   void RefinementParameters::check(const unsigned int levels) const
   {
-    AssertThrow(interval >= 1, ExcMessage("Refinement/Interval: 0 steps. Give 1 or more."));
-    AssertThrow(body_margin >= 0 && body_margin <= 100,
-                ExcMessage("Refinement/Body margin: " + std::to_string(body_margin) +
-                           " cells. Give 0 to 100."));
-    AssertThrow(
-        std::isfinite(vorticity_threshold) && vorticity_threshold >= 0,
-        ExcMessage("Refinement/Vorticity threshold: " + std::to_string(vorticity_threshold) +
-                   " m/s. Give 0 (off) or a positive number."));
-    AssertThrow(vorticity_levels <= levels,
-                ExcMessage("Refinement/Vorticity levels: " + std::to_string(vorticity_levels) +
-                           ". Give at most Domain/Levels = " + std::to_string(levels) +
-                           ", or 0 for all levels."));
+    check_positive("Refinement/Interval", interval, "Give 1 step or more.");
+    check_between("Refinement/Body margin", body_margin, 0, 100, "Give 0 to 100 cells.");
+    check_not_negative("Refinement/Vorticity threshold", vorticity_threshold,
+                       "Give 0 (off) or a positive number [m/s].");
+    check_value(vorticity_levels <= levels, "Refinement/Vorticity levels", vorticity_levels,
+                "Give at most Domain/Levels = " + std::to_string(levels) +
+                    ", or 0 for all levels.");
   }
 
   namespace

@@ -121,7 +121,7 @@ namespace caudal
         for (const auto &cell : body.get_dof_handler().active_cell_iterators())
         {
           const auto   nodes    = get_cell_nodes<dim>(cell, motion.positions);
-          const auto  &material = body.get_stress_model(cell->material_id());
+          const auto  &material = body.get_material(cell->material_id());
           const double kappa    = body.get_cell_volume_stabilisation(cell->material_id());
           sums.clear();
           for (unsigned int q = 0; q < data.n_q; ++q)
@@ -131,9 +131,10 @@ namespace caudal
             const double         weight    = data.weights[point];
             const Tensor<2, dim> F         = compute_deformation_gradient(nodes, gradients);
             AssertThrow(determinant(F) > 0, ExcInvertedElement(determinant(F)));
-            sums.add_stress(material.first_piola_kirchhoff_stress(F), gradients, weight);
+            sums.add_stress(material.first_piola_kirchhoff_stress(F, data.points[point]), gradients,
+                            weight);
             if (response != nullptr)
-              sums.add_tangent(material.tangent(F), gradients, weight);
+              sums.add_tangent(material.tangent(F, data.points[point]), gradients, weight);
             if (kappa > 0)
               sums.add_volume(F, gradients, weight);
           }

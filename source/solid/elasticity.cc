@@ -28,7 +28,8 @@ namespace caudal
         reference_volume += data.weights[point];
         AssertThrow(J > 0, ExcInvertedElement(J));
         summary.elastic_energy +=
-            data.weights[point] * body.get_stress_model(cell->material_id()).strain_energy(F);
+            data.weights[point] *
+            body.get_material(cell->material_id()).strain_energy(F, data.points[point]);
       }
       volume += cell_volume;
       const double log_J = std::log(cell_volume / reference_volume);
@@ -61,7 +62,8 @@ namespace caudal
         J += determinant(F) / data.n_q;
         volume += data.weights[point] * determinant(F);
         reference_volume += data.weights[point];
-        stress += body.get_stress_model(cell->material_id()).first_piola_kirchhoff_stress(F) *
+        stress += body.get_material(cell->material_id())
+                      .first_piola_kirchhoff_stress(F, data.points[point]) *
                   transpose(F) / determinant(F) / data.n_q;
       }
       const double pressure = -body.get_cell_volume_stabilisation(cell->material_id()) *

@@ -22,8 +22,9 @@ namespace caudal
   {
     make_body_grid(triangulation, parameters.grid, parameters.regions.size(),
                    parameters.get_path());
-    for (const auto &region : parameters.region_parameters)
-      stress_models.push_back(create_stress_model<dim>(region->material));
+    for (unsigned int r = 0; r < parameters.regions.size(); ++r)
+      materials.push_back(
+          parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));
 
     dof_handler.distribute_dofs(element);
     DoFRenumbering::Cuthill_McKee(dof_handler);
@@ -124,7 +125,7 @@ namespace caudal
     for (const auto &cell : dof_handler.active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
-      const RegionParameters &region = *parameters.region_parameters[cell->material_id()];
+      const RegionParameters<dim> &region = *parameters.region_parameters[cell->material_id()];
       for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
       {
         const double weight =

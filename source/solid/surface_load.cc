@@ -4,8 +4,6 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools_rhs.h>
 
-#include <cmath>
-
 namespace caudal
 {
   namespace
@@ -16,8 +14,9 @@ namespace caudal
     public:
       explicit SurfaceLoad(const SolidBody<dim> &body)
           : body(body)
-          , path(body.get_parameters().get_path() + "/Traction")
-          , traction(make_expression<dim>(path, body.get_parameters().traction, dim))
+          , traction(
+                std::make_unique<Expression<dim>>(body.get_parameters().get_path() + "/Traction",
+                                                  body.get_parameters().traction, dim))
       {}
 
       LoadAccount get_account() const override
@@ -32,18 +31,12 @@ namespace caudal
         Vector<double>         load(dofs.n_dofs());
         VectorTools::create_boundary_right_hand_side(
             dofs, QGauss<dim - 1>(dofs.get_fe().degree + 1), *traction, load);
-        AssertThrow(std::isfinite(load.l2_norm()),
-                    ExcMessage(path + ": <" + body.get_parameters().traction +
-                               "> is not finite on the body's surface at t = " +
-                               std::to_string(motion.time) +
-                               " s. Give a function that is defined there."));
         force += load;
       }
 
     private:
-      const SolidBody<dim>                      &body;
-      const std::string                          path;
-      const std::unique_ptr<FunctionParser<dim>> traction;
+      const SolidBody<dim>                  &body;
+      const std::unique_ptr<Expression<dim>> traction;
     };
   } // namespace
 

@@ -42,15 +42,12 @@ namespace caudal
     double get_wave_speed(const SolidParameters<dim> &solid, const double density)
     {
       double stiffness = 0;
-      for (const auto &region : solid.region_parameters)
+      for (unsigned int r = 0; r < solid.regions.size(); ++r)
       {
-        const MaterialParameters &material = region->material;
-        double modulus = region->cell_volume_stabilisation + material.volumetric_stabilisation;
-        if (material.material != "none")
-          modulus += 2 * material.get_shear_modulus();
-        if (material.material == "St. Venant-Kirchhoff")
-          modulus += material.get_lame_modulus();
-        stiffness = std::max(stiffness, modulus);
+        const RegionParameters<dim> &region = *solid.region_parameters[r];
+        stiffness =
+            std::max(stiffness, region.cell_volume_stabilisation +
+                                    region.material.get_wave_modulus(solid.get_region_path(r)));
       }
       return std::sqrt(stiffness / density);
     }

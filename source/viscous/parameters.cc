@@ -45,6 +45,7 @@ namespace caudal
                       "Names of the bodies, separated by commas; each has a section `Body <name>`. "
                       "None: only the fluid.",
                       Patterns::Anything());
+    declare_libraries(prm);
     time.add_parameters(prm);
     domain.add_parameters(prm);
     fluid.add_parameters(prm);

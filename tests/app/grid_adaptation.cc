@@ -19,9 +19,9 @@ namespace
     parameters.domain.cells  = std::vector<unsigned int>(dim, dim == 2 ? 8 : 4);
     parameters.domain.levels = 3;
     parameters.fluid.density = 2;
-    parameters.fluid.boundary_names.assign(2 * dim, "free slip");
-    parameters.fluid.boundary_names[0] = parameters.fluid.boundary_names[1] = "inflow";
-    parameters.fluid.inflow_velocity  = dim == 2 ? "1; 0" : "1; 0; 0";
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      parameters.fluid.sides[side].set_name(side < 2 ? "inflow" : "free slip");
+    parameters.fluid.inflow.velocity  = dim == 2 ? "1; 0" : "1; 0; 0";
     parameters.fluid.initial_velocity = "1+if(x<0.5,sin(2*pi*x)^2*sin(2*pi*y),0);"
                                         "-if(x<0.5,2*sin(4*pi*x)*sin(pi*y)^2,0)";
     if (dim == 3)
@@ -94,9 +94,10 @@ namespace
     parameters.domain.size[0] = 2;
     parameters.domain.cells   = {2, 1};
     parameters.domain.levels  = 4;
-    parameters.fluid.boundary_names.assign(4, "inflow");
-    parameters.fluid.inflow_velocity          = "1+y; 0";
-    parameters.fluid.initial_velocity         = parameters.fluid.inflow_velocity;
+    for (auto &side : parameters.fluid.sides)
+      side.set_name("inflow");
+    parameters.fluid.inflow.velocity          = "1+y; 0";
+    parameters.fluid.initial_velocity         = parameters.fluid.inflow.velocity;
     parameters.refinement.vorticity_threshold = 0;
 
     parameters.time.scheme   = scheme;

@@ -150,7 +150,7 @@ namespace
   {
     const bool         is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     CouplingParameters parameters;
-    parameters.kernel = kernel;
+    parameters.kernel.set_name(kernel);
     const Coupling     coupling(parameters);
     const Body<dim>    body(corner);
     Fluid<dim>         fluid(body, coupling.get_support());

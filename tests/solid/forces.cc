@@ -86,13 +86,13 @@ namespace
       parameters.grid.region_boundaries = {0.5};
       parameters.grid.rotation          = 30;
       parameters.polynomial_degree      = 2;
-      MaterialParameters &front         = parameters.region_parameters[0]->material;
-      front.youngs_modulus              = 3;
-      MaterialParameters &back          = parameters.region_parameters[1]->material;
-      back.material                     = "St. Venant-Kirchhoff";
-      back.shear_modulus                = 2;
-      body                              = std::make_unique<SolidBody<dim>>(parameters, 1.);
-      elastic_load                      = make_elastic_load(*body);
+      MaterialParameters<dim> &front    = parameters.region_parameters[0]->material;
+      front.moduli.youngs_modulus       = 3;
+      MaterialParameters<dim> &back     = parameters.region_parameters[1]->material;
+      back.material.set_name("St. Venant-Kirchhoff");
+      back.moduli.shear_modulus = 2;
+      body                      = std::make_unique<SolidBody<dim>>(parameters, 1.);
+      elastic_load              = make_elastic_load(*body);
     }
 
     Vector<double> map(const std::function<Tensor<1, dim>(const Tensor<1, dim> &)> &mapping) const

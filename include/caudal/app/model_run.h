@@ -42,6 +42,9 @@ namespace caudal
     ParameterValues      values;
     std::string          text; // of all parameters
 
+    /** What the user should know of the parameters that were given. */
+    std::vector<std::string> remarks;
+
     Outcome run(Swimmer &swimmer, OutputFolder::Start start,
                 const std::vector<std::string> &messages,
                 const std::function<bool()>    &stop_requested) const;

@@ -3,7 +3,6 @@
 
 #include <deal.II/base/function_parser.h>
 
-#include <memory>
 #include <string>
 
 namespace caudal
@@ -43,22 +42,6 @@ namespace caudal
     void        check(double value, const Point<dim> &point) const;
     std::string describe_place(const Point<dim> &point) const;
   };
-
-  // The former interface, until all of its users have an Expression.
-  template <int dim>
-  std::unique_ptr<Expression<dim>> make_expression(const std::string &path, const std::string &text,
-                                                   const unsigned int n_components)
-  {
-    return std::make_unique<Expression<dim>>(path, text, n_components);
-  }
-
-  template <int dim>
-  void check_finite(const std::string &, const std::string &, const Function<dim> &function,
-                    const Point<dim> &point)
-  {
-    for (unsigned int c = 0; c < function.n_components; ++c)
-      function.value(point, c);
-  }
 } // namespace caudal
 
 #endif

@@ -45,6 +45,9 @@ namespace caudal
    */
   void load_libraries(const std::string &files);
 
+  /** Declares the entry with the files that load_libraries() takes. */
+  void declare_libraries(ParameterHandler &prm);
+
   /** Notes two plug-ins with the same name; an exception can't leave an initialisation. */
   void report_second_plugin(const std::string &name);
 
@@ -159,7 +162,13 @@ namespace caudal
     /** Checks the parameters of the chosen member; @p path is that of the section around it. */
     void check(const std::string &path) const
     {
-      get().check(path + "/" + get_section(name));
+      get().check(get_path(path));
+    }
+
+    /** The path of the chosen member's section; @p path is that of the section around it. */
+    std::string get_path(const std::string &path) const
+    {
+      return path + "/" + get_section(name);
     }
 
     const std::string &get_name() const

@@ -15,8 +15,8 @@ namespace caudal
   /** Section `Coupling`. */
   struct CouplingParameters
   {
-    std::string kernel             = "dirac";
-    double      quadrature_density = 1.5;
+    Choice<DeltaKernel> kernel{"Kernel", "dirac", "Regularised delta function:"};
+    double              quadrature_density = 1.5;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -32,12 +32,12 @@ namespace caudal
     /** Half the width of the kernel's support, in cells of the finest level. */
     double get_support() const
     {
-      return 0.5 * kernel.radius();
+      return 0.5 * std::max(kernel->radius(), kernel->across().radius());
     }
 
-    const KernelPair kernel;
-    const LineTable  along, across;
-    const double     quadrature_density;
+    const std::unique_ptr<DeltaKernel> kernel;
+    const LineTable                    along, across;
+    const double                       quadrature_density;
   };
 
   /**

@@ -54,6 +54,12 @@ namespace caudal
       return parameters;
     }
 
+    /** The condition on the side of the domain with this boundary id. */
+    const BoundaryCondition<dim> &get_boundary_condition(const types::boundary_id side) const
+    {
+      return *boundary_conditions[side];
+    }
+
     /** A zero vector with ghost entries for all locally relevant unknowns. */
     FieldVector make_velocity_vector() const
     {
@@ -100,11 +106,14 @@ namespace caudal
     parallel::distributed::Triangulation<dim> &triangulation;
     const FluidParameters<dim>                &parameters;
     const Tensor<1, dim>                       domain_size;
-    std::vector<CellMatrices<dim>>             cell_matrices;
-    mutable BodyForceLoads<dim>                body_force_loads;
-    AffineConstraints<double>                  homogeneous_constraints;
-    mutable AffineConstraints<double>          constraints; // at constraints_time [s]
-    mutable std::optional<double>              constraints_time;
+
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
+
+    std::vector<CellMatrices<dim>>    cell_matrices;
+    mutable BodyForceLoads<dim>       body_force_loads;
+    AffineConstraints<double>         homogeneous_constraints;
+    mutable AffineConstraints<double> constraints; // at constraints_time [s]
+    mutable std::optional<double>     constraints_time;
 
     std::shared_ptr<const Utilities::MPI::Partitioner> velocity_layout, pressure_layout;
 

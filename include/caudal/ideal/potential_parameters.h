@@ -84,6 +84,12 @@ namespace caudal
     /** Its sections are the same for each file. */
     explicit PotentialParameters(const ParameterFile *) {}
 
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries()
+    {
+      return {};
+    }
+
     void declare(ParameterHandler &prm);
     void check() const;
 

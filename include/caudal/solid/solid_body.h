@@ -82,9 +82,9 @@ namespace caudal
     /** Puts the nodes of fixed regions back to where they were at the start. */
     void restore_fixed_nodes(Vector<double> &positions) const;
 
-    const StressModel<dim> &get_stress_model(const unsigned int region) const
+    const Material<dim> &get_material(const unsigned int region) const
     {
-      return *stress_models[region];
+      return *materials[region];
     }
 
     /** kappa_v, the modulus of the energy of the cells' volumes in a region [Pa]. */
@@ -191,20 +191,20 @@ namespace caudal
     }
 
   private:
-    const SolidParameters<dim>                    &parameters;
-    Triangulation<dim>                             triangulation;
-    const FESystem<dim>                            element;
-    DoFHandler<dim>                                dof_handler;
-    std::vector<std::unique_ptr<StressModel<dim>>> stress_models;
-    SparsityPattern                                pattern;
-    SparseMatrix<double>                           mass, feedback_stiffness, feedback_damping;
-    SparseDirectUMFPACK                            inverse_mass;
-    double                                         excess_density, reference_volume = 0;
-    QuadratureData                                 quadrature_data;
-    std::vector<Node>                              nodes, head_nodes;
-    std::vector<Point<dim>>                        reference_points;
-    std::vector<bool>                              fixed_dofs;
-    Vector<double>                                 initial_positions, nodal_volumes;
+    const SolidParameters<dim>                 &parameters;
+    Triangulation<dim>                          triangulation;
+    const FESystem<dim>                         element;
+    DoFHandler<dim>                             dof_handler;
+    std::vector<std::unique_ptr<Material<dim>>> materials;
+    SparsityPattern                             pattern;
+    SparseMatrix<double>                        mass, feedback_stiffness, feedback_damping;
+    SparseDirectUMFPACK                         inverse_mass;
+    double                                      excess_density, reference_volume = 0;
+    QuadratureData                              quadrature_data;
+    std::vector<Node>                           nodes, head_nodes;
+    std::vector<Point<dim>>                     reference_points;
+    std::vector<bool>                           fixed_dofs;
+    Vector<double>                              initial_positions, nodal_volumes;
 
     struct PointValue
     {

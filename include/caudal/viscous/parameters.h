@@ -48,6 +48,12 @@ namespace caudal
      */
     explicit RunParameters(const ParameterFile *file);
 
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries()
+    {
+      return {};
+    }
+
     void declare(ParameterHandler &prm);
     void check() const;
   };
