@@ -16,9 +16,7 @@ namespace caudal
                       "wall time alone decides [1].",
                       Patterns::Integer(0));
     prm.add_parameter("Interval of wall time", wall_time_interval,
-                      "Wall time between two checkpoints [min]; 0: the steps alone decide. "
-                      "An immersed run's checkpoint changes what follows within the solver's "
-                      "tolerance: if it is to be repeated bit by bit, it has to count steps.");
+                      "Wall time between two checkpoints [min]; 0: the steps alone decide.");
     prm.add_parameter("Slots", n_slots, "The number of checkpoints that are kept [1].",
                       Patterns::Integer(1, 1000));
     prm.add_parameter("Wall time limit", wall_time_limit,
