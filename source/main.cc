@@ -107,8 +107,9 @@ namespace
   }
 
   template <int dim>
-  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_elastic(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(BodyGridParameters<dim>::get_renamed_entries());
     using Action = CommandLine::Action;
     ElasticParameters<dim> parameters(&file);
     AssertThrow(command_line.action != Action::resume &&

@@ -33,6 +33,19 @@ namespace caudal
   }
 
   template <int dim>
+  std::vector<RenamedEntry> RunParameters<dim>::get_renamed_entries()
+  {
+    std::vector<RenamedEntry> entries = BodyGridParameters<dim>::get_renamed_entries();
+    entries.push_back({"Body */Gait/Curvature", "Body */Gait/Curvature/Function"});
+    for (const std::string entry :
+         {"Heading/Target heading", "Heading/Heading gain", "Heading/Yaw rate gain",
+          "Heading/Largest bias", "Speed/Target speed", "Speed/Speed gain", "Speed/Largest gain"})
+      entries.push_back({"Body */Controller/" + entry.substr(entry.find('/') + 1),
+                         "Body */Controller/" + entry});
+    return entries;
+  }
+
+  template <int dim>
   void RunParameters<dim>::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,

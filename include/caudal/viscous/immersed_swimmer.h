@@ -56,8 +56,8 @@ namespace caudal
     void             adapt_grid(Log &log);
     Step<dim>        advance_with_retries(Log &log) const;
     void             run_to_end(Log &log, const std::function<bool()> &stop_requested);
-    void             write_checkpoint(const RunOutput<dim> &output);
-    void             write_last_state(RunOutput<dim> &output, Log &log);
+    void             write_checkpoint();
+    void             write_last_state(Log &log);
     unsigned int     get_memory() const; // the most so far [MiB], on all ranks
     /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
     void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;

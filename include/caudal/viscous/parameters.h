@@ -49,10 +49,7 @@ namespace caudal
     explicit RunParameters(const ParameterFile *file);
 
     /** Entries that had other names in earlier versions. */
-    static std::vector<RenamedEntry> get_renamed_entries()
-    {
-      return {};
-    }
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     void declare(ParameterHandler &prm);
     void check() const;
