@@ -149,7 +149,7 @@ namespace caudal
     {
     public:
       AugmentedLagrangianPreconditioner(const MomentumOperator<dim> &momentum,
-                                        SubstructuredSolver         &direct_solver,
+                                        const MultifrontalSolver    &direct_solver,
                                         const double augmentation, const double scale)
           : momentum(momentum)
           , direct_solver(direct_solver)
@@ -182,7 +182,7 @@ namespace caudal
 
     private:
       const MomentumOperator<dim> &momentum;
-      SubstructuredSolver         &direct_solver;
+      const MultifrontalSolver    &direct_solver;
       const double                 augmentation, scale;
     };
 
@@ -258,7 +258,7 @@ namespace caudal
   template <int dim>
   void CoupledSystem<dim>::forget_history()
   {
-    direct_solver.reset();
+    direct_solver.clear();
     exact_iterations  = 0;
     steps_until_reuse = 0;
     reuse_pause       = 1;
@@ -293,10 +293,7 @@ namespace caudal
     MatrixParts        matrix;
     Triplets          &entries = matrix.entries;
     momentum.get_matrix().append_to(matrix);
-    int              begin = space.velocity_dofs.n_dofs();
-    std::vector<int> group_begins; // of unknowns that are eliminated together
-    for (int i = 0; i < begin; i += dim)
-      group_begins.push_back(i);
+    int        begin   = space.velocity_dofs.n_dofs();
     const bool is_root = Utilities::MPI::this_mpi_process(space.get_communicator()) == 0;
     for (const auto &[interaction, equations] : bodies)
     {
@@ -331,21 +328,45 @@ namespace caudal
             entries.add(frame[k], frame[l], -scale * equations->rigid_inertia(k, l));
         }
       }
-      const unsigned int spacing = std::clamp(n / dim / fewest_anchors, 1u, nodes_per_anchor);
+      begin += equations->n_unknowns();
+    }
+    // Where nodes of bodies are close to each other, more of them have to be anchors.
+    if (!direct_solver.factorize(get_group_begins(bodies, nodes_per_anchor), matrix) &&
+        !direct_solver.factorize(get_group_begins(bodies, 1), matrix))
+    {
+      direct_solver.factorize_with_pivoting(begin, matrix);
+      ++n_pivoting_factorisations;
+    }
+    ++n_factorisations;
+  }
+
+  template <int dim>
+  std::vector<int> CoupledSystem<dim>::get_group_begins(const std::vector<Body> &bodies,
+                                                        const unsigned int most_per_anchor) const
+  {
+    std::vector<int> group_begins;
+    int              begin = space.velocity_dofs.n_dofs();
+    for (int i = 0; i < begin; i += dim)
+      group_begins.push_back(i);
+    for (const auto &body : bodies)
+    {
+      const BodyEquations &equations = *body.equations;
+      const auto           places    = get_places<dim>(equations, begin);
+      const unsigned int   n         = equations.mass->m();
+      const unsigned int   spacing   = std::clamp(n / dim / fewest_anchors, 1u, most_per_anchor);
       for (unsigned int i = 0; i < n; i += dim)
       {
         const bool is_anchor = i / dim % spacing == 0;
-        group_begins.push_back(velocity[i]);
+        group_begins.push_back(places.velocity[i]);
         if (!is_anchor)
-          group_begins.push_back(force_density[i]);
+          group_begins.push_back(places.force_density[i]);
       }
-      if (n_q > 0)
-        group_begins.push_back(frame.begin);
-      begin += equations->n_unknowns();
+      if (!equations.rigid_moments.empty())
+        group_begins.push_back(places.frame.begin);
+      begin += equations.n_unknowns();
     }
     group_begins.push_back(begin);
-    direct_solver.factorize(group_begins, matrix);
-    ++n_factorisations;
+    return group_begins;
   }
 
   template <int dim>

@@ -3,7 +3,7 @@
 
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/momentum_operator.h>
-#include <caudal/linear/substructured_solver.h>
+#include <caudal/linear/multifrontal.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -105,16 +105,21 @@ namespace caudal
     {
       return n_factorisations;
     }
+    /** Those of them that needed pivots from all rows, which is slow. */
+    unsigned int get_n_pivoting_factorisations() const
+    {
+      return n_pivoting_factorisations;
+    }
 
   private:
     const SolverParameters      &parameters;
     const FluidSpace<dim>       &space;
     const MomentumOperator<dim> &momentum;
     TimerOutput                 &timer;
-    SubstructuredSolver          direct_solver;
+    MultifrontalSolver           direct_solver;
 
     // What decides whether a factorisation is reused.
-    unsigned int exact_iterations = 0, n_factorisations = 0;
+    unsigned int exact_iterations = 0, n_factorisations = 0, n_pivoting_factorisations = 0;
     unsigned int steps_until_reuse = 0, reuse_pause = 1;
     double       last_residual = 0;
 
@@ -122,6 +127,12 @@ namespace caudal
     /** Iterations with an old factorisation that cost as much as a new one. */
     unsigned int count_affordable_iterations() const;
     void         factorise(const std::vector<Body> &bodies, const MomentumWeights &weights);
+    /**
+     * First unknowns of those that are eliminated together, and the number of all unknowns. Of
+     * so many nodes of a body one is an anchor.
+     */
+    std::vector<int> get_group_begins(const std::vector<Body> &bodies,
+                                      unsigned int             most_per_anchor) const;
 
     /** Generalised conjugate residuals; more than @p n_affordable iterations are returned if these
      * did not do. */
