@@ -327,7 +327,12 @@ namespace caudal
     out << "\n"
         << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
         << " steps/s, " << operators.solver.get_n_factorisations() << " factorisations of up to "
-        << operators.solver.get_factor_entries() << " entries, " << get_memory()
+        << operators.solver.get_factor_entries() << " entries, "
+        << (operators.solver.get_n_pivoting_factorisations() == 0
+                ? ""
+                : std::to_string(operators.solver.get_n_pivoting_factorisations()) +
+                      " of them with pivots from all rows, which is slow, ")
+        << get_memory()
         << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";

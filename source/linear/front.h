@@ -1,11 +1,11 @@
 #ifndef caudal_linear_front_h
 #define caudal_linear_front_h
 
-#include <caudal/linear/elimination_tree.h>
+#include "elimination_tree.h"
 
 namespace caudal
 {
-  /** A dense matrix stored column by column, or a part of it. */
+  /** Dense matrix stored column by column, or a part of one; non-owning. */
   struct Block
   {
     double *data;
@@ -26,7 +26,7 @@ namespace caudal
   void multiply(double alpha, const Block &a, const double *x, double *y);
 
   /**
-   * The factors of a front: A = [pivots, right; below, update] becomes L U with
+   * Factors of a front: A = [pivots, right; below, update] becomes L U with
    * pivots = L_11 U_11 (rows exchanged), right = U_12, below = L_21.
    */
   struct FrontFactors
@@ -58,7 +58,7 @@ namespace caudal
   bool eliminate_pivots(const FrontFactors &front, const Block &update,
                         std::vector<double> &buffer);
 
-  /** Pivots that are much smaller than the entries below them. */
+  /** Counts pivots that are much smaller than the entries below them. */
   unsigned int count_poor_pivots(const FrontFactors &front);
 } // namespace caudal
 

@@ -1,7 +1,7 @@
 #ifndef caudal_linear_own_parts_h
 #define caudal_linear_own_parts_h
 
-#include <caudal/linear/matrix_parts.h>
+#include <caudal/linear/multifrontal.h>
 
 #include <mpi.h>
 
@@ -32,13 +32,26 @@ namespace caudal
     void renumber(const std::vector<int> &new_index);
 
   private:
-    MatrixParts                                 parts;
-    std::vector<int>                            unknowns; // of the elements
-    std::map<unsigned int, std::vector<double>> received_values;
+    /** Elements as (number of unknowns, unknowns), single entries as (single_entry, row, column).
+     */
+    struct Message
+    {
+      std::vector<int>    indices;
+      std::vector<double> values;
 
-    /** Its unknowns are copied, and found when all are there. */
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &indices &values;
+      }
+    };
+
+    MatrixParts                     parts;
+    std::vector<int>                unknowns; // of the elements
+    std::map<unsigned int, Message> received;
+
     void add(const ElementMatrix &element);
-    void unpack(const std::vector<int> &indices, const std::vector<double> &values);
+    void unpack(const Message &message);
   };
 } // namespace caudal
 
