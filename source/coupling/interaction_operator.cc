@@ -122,8 +122,7 @@ namespace caudal
               const Column  column(constraints,
                                    indices[element.component_to_system_index(component, s)]);
               const double *value =
-                  block.values.data() +
-                  (coupling.kernel->is_isotropic() ? 0 : component) * n_nodes * n_s + s;
+                  block.values.data() + (n_kernels == 1 ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
                 add_entry(body_indices[body_element.component_to_system_index(component, a)],
                           column, *value);

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/solid/body.h>
 #include <caudal/solid/rigid_motion.h>
 
@@ -43,9 +44,7 @@ namespace caudal
     muscle.check(path);
     gait.check(path);
     controller.check(path);
-    AssertThrow(std::isfinite(gait_damping) && gait_damping > 0,
-                ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
-                           ". Give a positive number."));
+    check_positive(path + "/Gait damping", gait_damping);
     AssertThrow(controller.type.get_name() == "none" || muscle.type.get_name() != "none",
                 ExcMessage(path + "/Controller/Type: the controller <" +
                            controller.type.get_name() +

@@ -7,14 +7,8 @@ namespace caudal
 {
   namespace
   {
-    /**
-     * A body's velocities would take their pivots from the balance of its forces, that is from the
-     * stiffness. It is singular for rigid motions, and nearly so for slow bending: on fine grids
-     * that costs the digits that the iterations then have to recover. At one node in so many, but
-     * at a few of any body, velocity and force density are therefore eliminated together, which
-     * offers pivots in the mass. At all nodes it would take up to twice the time.
-     */
-    constexpr unsigned int nodes_per_anchor = 64, fewest_anchors = 4;
+    // Any body has a few anchors, see get_group_begins().
+    constexpr unsigned int fewest_anchors = 4;
 
     /** Calls operation(number, places) for each body; the unknowns of the first begin at @p begin.
      */
@@ -183,14 +177,14 @@ namespace caudal
   }
 
   template <int dim>
-  std::vector<int> CoupledEquations<dim>::get_group_begins() const
+  std::vector<int> CoupledEquations<dim>::get_group_begins(const unsigned int most_per_anchor) const
   {
     std::vector<int> begins;
     for (unsigned int i = 0; i < n_velocities; i += dim)
       begins.push_back(i);
     for_each_body(bodies, n_velocities, [&](const unsigned int b, const BodyPlaces<dim> &places) {
       const unsigned int n_nodes = bodies[b].n_dofs() / dim;
-      const unsigned int spacing = std::clamp(n_nodes / fewest_anchors, 1u, nodes_per_anchor);
+      const unsigned int spacing = std::clamp(n_nodes / fewest_anchors, 1u, most_per_anchor);
       for (unsigned int node = 0; node < n_nodes; ++node)
       {
         begins.push_back(places.velocity[node * dim]);

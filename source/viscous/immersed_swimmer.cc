@@ -3,9 +3,9 @@
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
+#include <caudal/observe/tail_beats.h>
 #include <caudal/viscous/adaptation.h>
 #include <caudal/viscous/body_distance.h>
-#include <caudal/viscous/control_volume_force.h>
 #include <caudal/viscous/failure_report.h>
 
 #include <deal.II/base/utilities.h>
@@ -34,6 +34,7 @@ namespace caudal
       , communicator(communicator)
       , operators(parameters, communicator)
       , state{TimeStepper(parameters.time), {}, {}, {}}
+      , observers(parameters.observers)
       , writer(parameters.checkpoint, communicator)
   {
     report.bodies.resize(operators.bodies.size());
@@ -48,12 +49,7 @@ namespace caudal
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
       report.bodies[b].deformation =
           summarise_deformation(operators.bodies[b]->get_solid(), state.bodies[b].positions);
-    const auto &corners = parameters.fluid.control_volume;
-    AssertThrow(corners.empty() ||
-                    ControlVolumeForce<dim>(BoundingBox<dim>({corners[0], corners[1]}))
-                        .has_all_bodies(observe()),
-                ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
-                           "hold all bodies with their kernels. Give a larger one."));
+    observers.check_case(observe());
   }
 
   template <int dim>
@@ -67,10 +63,6 @@ namespace caudal
   void ImmersedSwimmer<dim>::check_places() const
   {
     const BoundingBox<dim> domain = operators.get_domain();
-    for (const Point<dim> &probe : parameters.fluid.probes)
-      AssertThrow(domain.point_inside(probe),
-                  ExcMessage("Fluid/Probes: the point " + print_place(probe) +
-                             " is outside of the domain. Move it, or change Domain/Size."));
     std::vector<BodyState> states;
     for (const auto &body : operators.bodies)
     {
@@ -174,7 +166,7 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::adapt_grid(RunOutput<dim> &output, Log &log)
+  void ImmersedSwimmer<dim>::adapt_grid(Log &log)
   {
     const unsigned int step_number = state.time.get_step_number();
     const bool is_due = step_number > 0 && step_number % parameters.refinement.interval == 0;
@@ -185,7 +177,7 @@ namespace caudal
       return;
     {
       TimerOutput::Scope timer_section(operators.timer, "output");
-      output.report_new_grid(observe());
+      observers.observe_new_grid(observe());
     }
     if (!(std::abs(adaptation.momentum_change) < 1e-3))
       log << "Warning: adapting the grid at t = " << state.time.get_time()
@@ -222,8 +214,7 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::run_to_end(RunOutput<dim> &output, Guards<dim> &guards, Log &log,
-                                        const std::function<bool()> &stop_requested)
+  void ImmersedSwimmer<dim>::run_to_end(Log &log, const std::function<bool()> &stop_requested)
   {
     Progress   progress(is_terminal() ? std::cout : log.get_stream(), state.time.get_time(),
                       parameters.time.end_time, is_terminal());
@@ -231,15 +222,14 @@ namespace caudal
     while (!state.time.is_at_end() && !stop_requested() && !writer.is_out_of_time())
     {
       state.time.check_step();
-      adapt_grid(output, log);
+      adapt_grid(log);
       Step<dim> step = advance_with_retries(log);
       state          = std::move(step.state);
       report         = std::move(step.report);
       {
         TimerOutput::Scope timer_section(operators.timer, "output");
-        output.report_step(observe());
+        observers.observe_step(observe());
       }
-      guards.check(observe(), output.get_ledger(), output.get_initial_ledger(), log);
 
       std::ostringstream details;
       details << std::setprecision(3) << "dt " << state.time.get_previous_step() << " s, "
@@ -248,7 +238,7 @@ namespace caudal
       if (is_root)
         progress.update(state.time.get_time(), state.time.get_step_number(), details.str());
       if (writer.is_due(state.time.get_step_number()))
-        write_checkpoint(output);
+        write_checkpoint();
     }
     if (is_root)
       progress.finish();
@@ -262,67 +252,58 @@ namespace caudal
         CaseCheck<dim>(operators, resumed ? 0 : operators.triangulation.n_global_active_cells()),
         log.get_stream());
     log << std::endl;
-    RunOutput<dim> output(
-        parameters, observe(), folder, log,
-        resumed ? std::make_optional(KeptResults{resumed->time, resumed->last_field_time})
-                : std::nullopt);
-    Guards<dim> guards(parameters.guards);
+    observers.start(observe(), folder, log, parameters.output, resumed.has_value());
     writer.start(folder.path());
-    if (resumed) // rank 0 writes tables anew
-      run_on_all(communicator, [&]() { unpack(resumed->parts.at(output_part), output); });
-    else
-      output.write_fields(observe());
+    if (resumed)
+      unpack(resumed->parts.at(output_part), observers);
     resumed.reset();
     const unsigned int first_step = state.time.get_step_number();
     const double       start      = state.time.get_time();
     try
     {
-      run_to_end(output, guards, log, stop_requested);
+      run_to_end(log, stop_requested);
     }
     catch (...)
     {
-      write_last_state(output, log);
+      write_last_state(log);
       throw;
     }
     // The checkpoint comes first: the fields of a stopped run are not due.
-    write_checkpoint(output);
-    output.write_fields(observe());
-    output.finish();
+    write_checkpoint();
+    observers.finish(observe());
     if (!state.time.is_at_end())
       log << describe_stop(stop_requested(), state.time.get_time(), state.time.get_step_number(),
                            folder.path())
           << std::endl;
 
-    guards.print_summary(log);
+    observers.print_warnings();
     print_costs(state.time.get_step_number() - first_step, state.time.get_time() - start,
-                output.get_last_beat_period(), log.get_stream());
+                observers.template get<TailBeats<dim>>().get_last_period(), log.get_stream());
     return state.time.is_at_end() ? Outcome::finished : Outcome::stopped;
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::write_checkpoint(const RunOutput<dim> &output)
+  void ImmersedSwimmer<dim>::write_checkpoint()
   {
     const unsigned int step_number = state.time.get_step_number();
     if (writer.has_written(step_number))
       return;
     TimerOutput::Scope timer_section(operators.timer, "checkpoint");
     Checkpoint         checkpoint = take_checkpoint(operators, state);
-    checkpoint.last_field_time    = output.get_last_field_time();
     checkpoint.parameters         = parameter_values;
-    checkpoint.parts[output_part] = pack(output);
+    checkpoint.parts[output_part] = pack(observers);
     writer.write(pack(checkpoint), step_number, state.time.get_time());
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::write_last_state(RunOutput<dim> &output, Log &log)
+  void ImmersedSwimmer<dim>::write_last_state(Log &log)
   {
     log << "The last good state, at t = " << state.time.get_time() << " s, is written as fields "
         << "and as a checkpoint." << std::endl;
     try
     {
-      write_checkpoint(output);
-      output.write_fields(observe());
-      output.finish();
+      write_checkpoint();
+      observers.finish(observe());
     }
     catch (const std::exception &)
     {
@@ -346,7 +327,12 @@ namespace caudal
     out << "\n"
         << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
         << " steps/s, " << operators.solver.get_n_factorisations() << " factorisations of up to "
-        << operators.solver.get_factor_entries() << " entries, " << get_memory()
+        << operators.solver.get_factor_entries() << " entries, "
+        << (operators.solver.get_n_pivoting_factorisations() == 0
+                ? ""
+                : std::to_string(operators.solver.get_n_pivoting_factorisations()) +
+                      " of them with pivots from all rows, which is slow, ")
+        << get_memory()
         << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";

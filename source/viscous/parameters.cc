@@ -73,7 +73,7 @@ namespace caudal
     solver.add_parameters(prm);
     output.add_parameters(prm);
     checkpoint.add_parameters(prm);
-    guards.add_parameters(prm);
+    observers.add_parameters(prm);
   }
 
   template <int dim>
@@ -94,7 +94,7 @@ namespace caudal
     solver.check();
     output.check();
     checkpoint.check();
-    guards.check();
+    observers.check();
   }
 
   std::string get_model(const ParameterFile &file)

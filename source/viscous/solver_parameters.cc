@@ -1,6 +1,5 @@
+#include <caudal/base/checks.h>
 #include <caudal/viscous/solver_parameters.h>
-
-#include <cmath>
 
 namespace caudal
 {
@@ -29,13 +28,8 @@ namespace caudal
 
   void SolverParameters::check() const
   {
-    AssertThrow(tolerance > 0 && tolerance < 1e-2,
-                ExcMessage("Solver/Tolerance: the value is " + std::to_string(tolerance) +
-                           ". Give a number between 0 and 0.01."));
-    AssertThrow(largest_number_of_iterations >= 2,
-                ExcMessage("Solver/Largest number of iterations: give at least 2."));
-    AssertThrow(std::isfinite(augmentation) && augmentation > 0,
-                ExcMessage("Solver/Augmentation: the value is " + std::to_string(augmentation) +
-                           ". Give a positive number, 1e3 for example."));
+    check_value(tolerance > 0 && tolerance < 1e-2, "Solver/Tolerance", tolerance,
+                "Give a number between 0 and 0.01.");
+    check_positive("Solver/Augmentation", augmentation, "Give a positive number, 1e3 for example.");
   }
 } // namespace caudal

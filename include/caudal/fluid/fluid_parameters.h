@@ -22,10 +22,6 @@ namespace caudal
     bool        backflow_stabilisation   = true;
     std::string initial_velocity;
     std::string body_force;
-    std::string exact_solution;
-
-    std::vector<Point<dim>> control_volume;
-    std::vector<Point<dim>> probes;
 
     SharedInflow                               inflow;
     std::deque<Choice<BoundaryCondition<dim>>> sides; // by boundary id

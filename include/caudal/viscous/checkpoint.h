@@ -13,10 +13,9 @@ namespace caudal
   /** Everything that the coming steps of an immersed run depend on, and its reports. */
   struct Checkpoint
   {
-    unsigned int    step_number     = 0;
-    double          time            = 0;  // [s]
-    double          last_field_time = -1; // [s]
-    ParameterValues parameters;           // that made it
+    unsigned int    step_number = 0;
+    double          time        = 0; // [s]
+    ParameterValues parameters;      // that made it
     FluidSnapshot   fluid;
     /** Archives of everything else, by what they hold. */
     std::map<std::string, std::string> parts;
@@ -24,7 +23,7 @@ namespace caudal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &step_number &time &last_field_time &parameters &fluid &parts;
+      archive &step_number &time &parameters &fluid &parts;
     }
   };
 

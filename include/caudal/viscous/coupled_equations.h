@@ -3,7 +3,7 @@
 
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/momentum_operator.h>
-#include <caudal/linear/matrix_parts.h>
+#include <caudal/linear/multifrontal.h>
 
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -89,8 +89,9 @@ namespace caudal
     /**
      * First unknowns of the groups that are eliminated together, and the number of all unknowns:
      * velocities of a node of the fluid, velocities or force densities of a node of a body.
+     * At one node of a body in @p most_per_anchor at least, both are eliminated together.
      */
-    std::vector<int> get_group_begins() const;
+    std::vector<int> get_group_begins(unsigned int most_per_anchor) const;
 
   private:
     const MPI_Comm                         communicator;

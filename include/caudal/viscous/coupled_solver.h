@@ -1,7 +1,6 @@
 #ifndef caudal_viscous_coupled_solver_h
 #define caudal_viscous_coupled_solver_h
 
-#include <caudal/linear/substructured_solver.h>
 #include <caudal/viscous/coupled_equations.h>
 #include <caudal/viscous/solver_parameters.h>
 #include <caudal/viscous/state.h>
@@ -67,6 +66,12 @@ namespace caudal
       return n_factorisations;
     }
 
+    /** Those of them that needed pivots from all rows, which is slow. */
+    unsigned int get_n_pivoting_factorisations() const
+    {
+      return n_pivoting_factorisations;
+    }
+
   private:
     const SolverParameters      &parameters;
     const FluidSpace<dim>       &space;
@@ -74,9 +79,10 @@ namespace caudal
     TimerOutput                 &timer;
 
     // Work space.
-    mutable SubstructuredSolver                  direct_solver;
+    mutable MultifrontalSolver                   direct_solver;
     mutable std::shared_ptr<const Linearisation> factorised_point;
-    mutable unsigned int                         n_factorisations = 0;
+    mutable unsigned int                         n_factorisations          = 0;
+    mutable unsigned int                         n_pivoting_factorisations = 0;
 
     bool should_factorise(const SolverMemory &memory, bool matrix_changed) const;
     void factorise(const CoupledEquations<dim>                &equations,

@@ -6,8 +6,6 @@
 #include <caudal/viscous/advance.h>
 #include <caudal/viscous/case_check.h>
 #include <caudal/viscous/checkpoint.h>
-#include <caudal/viscous/guards.h>
-#include <caudal/viscous/run_output.h>
 
 #include <functional>
 
@@ -46,20 +44,20 @@ namespace caudal
     Operators<dim>            operators;
     State<dim>                state;
     StepReport<dim>           report; // of the step that led to the state
+    Observers<dim>            observers;
     CheckpointWriter          writer;
     ParameterValues           parameter_values;
     std::optional<Checkpoint> resumed; // the fluid's fields have been taken from it
 
-    void             check_places() const; // of probes, bodies and the control volume
+    void             check_places() const; // of the bodies
     void             print_summary(const CaseCheck<dim> &check, std::ostream &out) const;
     TrialCost        try_steps(unsigned int n_steps);
     Observation<dim> observe() const;
-    void             adapt_grid(RunOutput<dim> &output, Log &log);
+    void             adapt_grid(Log &log);
     Step<dim>        advance_with_retries(Log &log) const;
-    void             run_to_end(RunOutput<dim> &output, Guards<dim> &guards, Log &log,
-                                const std::function<bool()> &stop_requested);
-    void             write_checkpoint(const RunOutput<dim> &output);
-    void             write_last_state(RunOutput<dim> &output, Log &log);
+    void             run_to_end(Log &log, const std::function<bool()> &stop_requested);
+    void             write_checkpoint();
+    void             write_last_state(Log &log);
     unsigned int     get_memory() const; // the most so far [MiB], on all ranks
     /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
     void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;

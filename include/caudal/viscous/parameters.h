@@ -8,7 +8,7 @@
 #include <caudal/io/checkpoint_folder.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
-#include <caudal/observe/guard_parameters.h>
+#include <caudal/observe/observers.h>
 #include <caudal/solid/body.h>
 #include <caudal/viscous/solver_parameters.h>
 
@@ -39,7 +39,7 @@ namespace caudal
     SolverParameters                                  solver;
     OutputParameters                                  output;
     CheckpointParameters                              checkpoint;
-    GuardParameters                                   guards;
+    Observers<dim>                                    observers;
     std::vector<std::unique_ptr<BodyParameters<dim>>> bodies;
 
     /**
