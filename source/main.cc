@@ -107,8 +107,9 @@ namespace
   }
 
   template <int dim>
-  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_elastic(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(BodyGridParameters<dim>::get_renamed_entries());
     using Action = CommandLine::Action;
     ElasticParameters<dim> parameters(&file);
     AssertThrow(command_line.action != Action::resume &&
@@ -126,7 +127,7 @@ namespace
     {
       std::ostringstream summary;
       body.print_summary(summary);
-      print(summary.str() + "Nothing speaks against a run.\n");
+      print(summary.str() + "No problems found.\n");
       return finished;
     }
     const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);

@@ -31,14 +31,17 @@ namespace caudal
   {
     for (const std::string &remark : remarks)
       out << remark << '\n';
-    Swimmer(parameters, communicator).check(out, fast);
+    Swimmer swimmer(parameters, communicator);
+    swimmer.start();
+    swimmer.check(out, fast);
   }
 
   template <class Swimmer>
   Outcome ModelRun<Swimmer>::start(const std::function<bool()> &stop_requested) const
   {
     // What can be wrong with the case is found before anything is written.
-    Swimmer                  swimmer(parameters, communicator);
+    Swimmer swimmer(parameters, communicator);
+    swimmer.start();
     std::vector<std::string> messages = remarks;
     for (const std::string &override_text : file.get_overrides())
       messages.push_back("Override: " + override_text);
@@ -50,20 +53,20 @@ namespace caudal
   {
     const CheckpointFolder folder(parameters.output.folder, parameters.checkpoint.n_slots,
                                   communicator);
-    const auto             checkpoint = folder.read_newest();
-    State                  state;
-    unpack(checkpoint.data, state);
+    const auto             slot = folder.read_newest();
+    Checkpoint             checkpoint;
+    unpack(slot.data, checkpoint);
     std::ostringstream place;
-    place << "Resumed from <" << checkpoint.path << ">, t = " << state.time << " s.";
-    std::vector<std::string> messages = checkpoint.skipped;
+    place << "Resumed from <" << slot.path << ">, t = " << checkpoint.time << " s.";
+    std::vector<std::string> messages = slot.skipped;
     messages.push_back(place.str());
     for (const std::string &change :
-         compare_parameters(state.parameters, values, Parameters::fixed_entries))
+         compare_parameters(checkpoint.parameters, values, Parameters::fixed_entries))
       messages.push_back("Changed: " + change);
 
     Swimmer swimmer(parameters, communicator);
-    folder.remove_after(state.step_number);
-    swimmer.resume_from(std::move(state));
+    folder.remove_after(checkpoint.step_number);
+    swimmer.resume_from(std::move(checkpoint));
     return run(swimmer, OutputFolder::Start::resume, messages, stop_requested);
   }
 

@@ -126,6 +126,11 @@ namespace caudal
       return new_path + match[match.size() - 1].str();
     }
 
+    std::size_t count_names(const std::string &path)
+    {
+      return Utilities::split_string_list(path, '/').size();
+    }
+
     /** Whether something within the section @p path was renamed. */
     bool holds_former_names(const std::vector<std::string> &sections, const RenamedEntry &renamed)
     {
@@ -209,6 +214,11 @@ namespace caudal
     for (Assignment &assignment : assignments)
     {
       const auto fits = [&](const RenamedEntry &renamed) {
+        // In a section that has the former name of an entry, which has moved there, names are new.
+        if (renamed.new_path.rfind(renamed.old_path + "/", 0) == 0 &&
+            (assignment.entry.empty() ||
+             count_names(get_path(assignment)) != count_names(renamed.old_path)))
+          return false;
         return find_new_path(get_path(assignment), renamed) &&
                (renamed.old_value.empty() || renamed.old_value == assignment.value);
       };
@@ -232,8 +242,7 @@ namespace caudal
     const bool        has_value  = !renamed.old_value.empty();
 
     // A section is told once, where it is opened, and not with each of its entries.
-    const std::size_t n_names = Utilities::split_string_list(old_path, '/').size();
-    if (n_names == Utilities::split_string_list(renamed.old_path, '/').size())
+    if (count_names(old_path) == count_names(renamed.old_path))
       hints.push_back(assignment.origin + ": " + (is_section ? "the section <" : "<") + old_path +
                       (has_value ? " = " + renamed.old_value : "") + "> is now called <" +
                       new_path + (has_value ? " = " + renamed.new_value : "") + ">.");

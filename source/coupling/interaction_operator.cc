@@ -39,7 +39,8 @@ namespace caudal
   {
   public:
     Assembler(const Coupling &coupling, const Fluid &fluid, const DoFHandler<dim> &body_dofs)
-        : coupling(coupling)
+        : inhomogeneity(body_dofs.n_dofs())
+        , coupling(coupling)
         , finest_cells(fluid.finest_cells)
         , velocity_dofs(fluid.velocity_dofs)
         , constraints(fluid.constraints)
@@ -53,7 +54,6 @@ namespace caudal
               finest_cells.get_lattice().get_finest_level()))
         , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
         , indices(element.n_dofs_per_cell())
-        , inhomogeneity(body_dofs.n_dofs())
     {}
 
     /**
@@ -122,8 +122,7 @@ namespace caudal
               const Column  column(constraints,
                                    indices[element.component_to_system_index(component, s)]);
               const double *value =
-                  block.values.data() +
-                  (coupling.kernel->is_isotropic() ? 0 : component) * n_nodes * n_s + s;
+                  block.values.data() + (n_kernels == 1 ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
                 add_entry(body_indices[body_element.component_to_system_index(component, a)],
                           column, *value);

@@ -46,19 +46,6 @@ namespace caudal
                       "Velocity at t = 0, components separated by ';' [m/s].");
     prm.add_parameter("Body force", body_force,
                       "Force per volume on the whole domain, components separated by ';' [N/m^3].");
-    prm.add_parameter("Exact solution", exact_solution,
-                      "For verification: velocity components [m/s] and pressure [Pa], separated by "
-                      "';'. Their errors become part of the statistics.");
-    prm.add_parameter("Probes", probes,
-                      "Points of the domain at which velocity and pressure become part of the "
-                      "statistics; coordinates separated by ',', points by ';' [m].");
-    prm.add_parameter("Control volume", control_volume,
-                      "Lower and upper corner of a box round all bodies. The momentum balance of "
-                      "the coarse cells with a centre in it gives the force on the bodies once "
-                      "more, in the statistics and, if there is one body that stays in it, as "
-                      "the mean of each tail beat; once a body has left the box, which the log "
-                      "tells, it means nothing. Coordinates separated by ',', corners by ';' [m]. "
-                      "None: not done.");
     prm.enter_subsection("Boundary conditions");
     for (auto &side : sides)
       side.add_parameters(prm);
@@ -73,15 +60,6 @@ namespace caudal
     check_positive("Fluid/Kinematic viscosity", kinematic_viscosity);
     check_not_negative("Fluid/Grad-div stabilisation", grad_div);
     check_not_negative("Fluid/Convection stabilisation", convection_stabilisation);
-    AssertThrow(control_volume.empty() || control_volume.size() == 2,
-                ExcMessage("Fluid/Control volume: there are " +
-                           std::to_string(control_volume.size()) +
-                           " points. Give two, the lower and the upper corner, or none."));
-    for (unsigned int d = 0; d < dim && !control_volume.empty(); ++d)
-      AssertThrow(control_volume[0][d] < control_volume[1][d],
-                  ExcMessage("Fluid/Control volume: the first corner is not below the second in "
-                             "direction " +
-                             std::to_string(d) + ". Exchange them."));
     check_not_negative("Fluid/Inflow ramp", inflow.ramp);
     Expression<dim>("Fluid/Inflow velocity", inflow.velocity, dim);
     for (const auto &side : sides)
@@ -93,8 +71,6 @@ namespace caudal
                            "Fluid/Boundary conditions, or leave the velocity out."));
     Expression<dim>("Fluid/Initial velocity", initial_velocity, dim);
     Expression<dim>("Fluid/Body force", body_force, dim);
-    if (!exact_solution.empty())
-      Expression<dim>("Fluid/Exact solution", exact_solution, dim + 1);
   }
 
   template <int dim>

@@ -47,7 +47,7 @@ namespace caudal
   void IdealSwimmer::check(std::ostream &out, bool /*fast*/) const
   {
     the_case.print_summary(out);
-    out << "Nothing speaks against a run.\n";
+    out << "No problems found.\n";
   }
 
   void IdealSwimmer::set_parameter_values(const ParameterValues &values)

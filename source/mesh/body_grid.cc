@@ -44,6 +44,16 @@ namespace caudal
   }
 
   template <int dim>
+  std::vector<RenamedEntry> BodyGridParameters<dim>::get_renamed_entries()
+  {
+    const std::string section = "Body */Shape/";
+    return {{section + "NACA digits", section + "Naca/Digits"},
+            {section + "Wall thickness", section + "Ring/Wall thickness"},
+            {section + "Vertices", section + "Quadrilateral/Vertices"},
+            {section + "File", section + "File/Name"}};
+  }
+
+  template <int dim>
   void BodyGridParameters<dim>::check(const std::string &path) const
   {
     const std::string section = path + "/Shape", entries = section + "/";

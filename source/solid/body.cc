@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/solid/body.h>
 #include <caudal/solid/rigid_motion.h>
 
@@ -43,9 +44,7 @@ namespace caudal
     muscle.check(path);
     gait.check(path);
     controller.check(path);
-    AssertThrow(std::isfinite(gait_damping) && gait_damping > 0,
-                ExcMessage(path + "/Gait damping: the value is " + std::to_string(gait_damping) +
-                           ". Give a positive number."));
+    check_positive(path + "/Gait damping", gait_damping);
     AssertThrow(controller.type.get_name() == "none" || muscle.type.get_name() != "none",
                 ExcMessage(path + "/Controller/Type: the controller <" +
                            controller.type.get_name() +
@@ -76,8 +75,7 @@ namespace caudal
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
       region_ids[parameters.solid.regions[r]] = r;
     muscle = parameters.muscle.create(length, region_ids);
-    if (parameters.gait.type.get().is_prescribed())
-      gait = parameters.gait.create(length);
+    gait   = parameters.gait.create(length);
     check_nose();
     if (swims())
       lateral_point =
@@ -106,7 +104,7 @@ namespace caudal
   {
     const double nose = GridTools::compute_bounding_box(solid.get_triangulation()).lower_bound(0);
     AssertThrow(
-        !(has_gait() || muscle->counts_from_nose()) || std::abs(nose) < 1e-3 * length,
+        !counts_from_nose() || std::abs(nose) < 1e-3 * length,
         ExcMessage(solid.get_parameters().get_path() +
                    "/Shape: muscle and gait count s from x = 0 of the body's frame, but the "
                    "shape begins at x = " +
@@ -147,16 +145,18 @@ namespace caudal
   }
 
   template <int dim>
-  Vector<double> Body<dim>::compute_force(const BodyMotion &motion, BodyResponse &response) const
+  std::map<LoadAccount, Vector<double>> Body<dim>::compute_forces(const BodyMotion &motion,
+                                                                  BodyResponse     *response) const
   {
-    Vector<double> force(solid.n_dofs());
+    std::map<LoadAccount, Vector<double>> forces;
     for (const auto &load : loads)
     {
-      Vector<double> part(solid.n_dofs());
-      load->add(motion, part, &response);
-      force += part;
+      Vector<double> &force = forces[load->get_account()];
+      if (force.size() == 0)
+        force.reinit(solid.n_dofs());
+      load->add(motion, force, response);
     }
-    return force;
+    return forces;
   }
 
   template <int dim>

@@ -12,9 +12,9 @@ namespace caudal
     class GaitLoad : public Load<dim>
     {
     public:
-      GaitLoad(const SolidBody<dim> &body, const Gait<dim> &gait, const double damping)
+      GaitLoad(const SolidBody<dim> &body, const Gait &gait, const double damping)
           : body(body)
-          , gait(gait)
+          , prescribed(gait, get_points(body))
           , damping(damping)
       {}
 
@@ -35,26 +35,34 @@ namespace caudal
       }
 
     private:
-      const SolidBody<dim> &body;
-      const Gait<dim>      &gait;
-      const double          damping;
+      const SolidBody<dim>       &body;
+      const PrescribedMotion<dim> prescribed; // of the nodes
+      const double                damping;
+
+      static std::vector<Point<dim>> get_points(const SolidBody<dim> &body)
+      {
+        std::vector<Point<dim>> points;
+        for (const auto &node : body.get_nodes())
+          points.push_back(body.get_reference_point(node[0]));
+        return points;
+      }
 
       Vector<double> compute_velocity(const BodyMotion &motion) const
       {
-        const auto     deformation = gait.at(motion.time);
+        const auto    &nodes       = body.get_nodes();
+        const auto     deformation = prescribed.compute(motion.time);
         Vector<double> shape(body.n_dofs()), result(body.n_dofs());
-        for (const auto &node : body.get_nodes())
-          set_value(shape, node, deformation.position(body.get_reference_point(node[0])));
-        const auto fit = fit_rigid_motion(body, body.get_nodes(), shape, motion.positions);
-        for (const auto &node : body.get_nodes())
+        for (unsigned int n = 0; n < nodes.size(); ++n)
+          set_value(shape, nodes[n], deformation.positions[n]);
+        const auto fit = fit_rigid_motion(body, nodes, shape, motion.positions);
+        for (unsigned int n = 0; n < nodes.size(); ++n)
         {
           const Tensor<1, dim> place =
-              fit.center + fit.rotation * (get_value(shape, node) - fit.reference_center);
-          const Tensor<1, dim> rate =
-              fit.rotation * deformation.velocity(body.get_reference_point(node[0]));
-          set_value(result, node,
-                    rate + (place - get_value(motion.positions, node)) /
-                               (n_relaxation_steps * motion.step));
+              fit.center + fit.rotation * (deformation.positions[n] - fit.reference_center);
+          set_value(result, nodes[n],
+                    fit.rotation * deformation.velocities[n] +
+                        (place - get_value(motion.positions, nodes[n])) /
+                            (n_relaxation_steps * motion.step));
         }
         return result;
       }
@@ -62,12 +70,12 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait<dim> &gait,
+  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
                                             const double damping)
   {
     return std::make_unique<GaitLoad<dim>>(body, gait, damping);
   }
 
-  template std::unique_ptr<Load<2>> make_gait_load(const SolidBody<2> &, const Gait<2> &, double);
-  template std::unique_ptr<Load<3>> make_gait_load(const SolidBody<3> &, const Gait<3> &, double);
+  template std::unique_ptr<Load<2>> make_gait_load(const SolidBody<2> &, const Gait &, double);
+  template std::unique_ptr<Load<3>> make_gait_load(const SolidBody<3> &, const Gait &, double);
 } // namespace caudal

@@ -22,6 +22,8 @@ namespace caudal
       void add(const BodyMotion &motion, Vector<double> &force,
                BodyResponse *response) const override
       {
+        if (motion.contraction.step == 0)
+          return; // before the first step it has not decided anything
         const auto                          &data    = body.get_quadrature_data();
         const FiniteElement<dim>            &element = body.get_dof_handler().get_fe();
         const unsigned int                   n       = element.n_dofs_per_cell();

@@ -42,9 +42,17 @@ warn() {
   grep -i "^warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../; s/^/    /' || true
 }
 warn "with the default limits"
-warn "with tight limits" -D "Guards/Largest area change=1e-9" -D "Guards/Smallest J=0.9999" \
-  -D "Guards/Largest J=1.0001" -D "Guards/Largest tether displacement=0.01" \
-  -D "Guards/Largest power identity=0" -D "Guards/Largest energy residual=1e-6"
+tighten() {
+  warn "$@" -D "Guards/Largest area change=1e-9" -D "Guards/Smallest J=0.9999" \
+    -D "Guards/Largest J=1.0001" -D "Guards/Largest tether displacement=0.01" \
+    -D "Guards/Largest power identity=0" -D "Guards/Largest energy residual=1e-6"
+}
+tighten "with tight limits"
+# A resumed run warns of what is new and counts on.
+tighten "with tight limits, to the middle" -D "Time/End time=0.1" >half
+echo "* resumed from the middle"
+"$CAUDAL" --resume results -D "Time/End time=0.2" >printed
+grep "^Warning" printed | sed 's/at t = [0-9.]* s/at t = .../; s/ is [-0-9][-0-9.e]*/ is .../; s/^/    /'
 # In which steps the powers agree to the last bit is chance.
 warn "powers equal but for round-off" -D "Guards/Largest tether displacement=0" \
   -D "Guards/Largest power identity=1e-30" | sed 's/in [1-9][0-9]* steps/in some steps/'

@@ -12,7 +12,7 @@ namespace caudal
 {
   /**
    * A case of the model @p Swimmer as its parameter file describes it, which starts, or goes on
-   * from a checkpoint. The swimmer names its Parameters and the State that a checkpoint holds,
+   * from a checkpoint. The swimmer names its Parameters and its Checkpoint,
    * and is constructed for each run.
    */
   template <class Swimmer>
@@ -20,7 +20,7 @@ namespace caudal
   {
   public:
     using Parameters = typename Swimmer::Parameters;
-    using State      = typename Swimmer::State;
+    using Checkpoint = typename Swimmer::Checkpoint;
 
     /** Reads and checks all parameters. */
     ModelRun(const ParameterFile &file, MPI_Comm communicator);

@@ -147,6 +147,10 @@ namespace caudal
         members[member_name] = member.create();
     }
 
+    /** The parameter handler keeps references to the parameters: a choice stays where it is. */
+    Choice(const Choice &)            = delete;
+    Choice &operator=(const Choice &) = delete;
+
     /** Declares the entry and the subsections in the section that @p prm is in. */
     void add_parameters(ParameterHandler &prm)
     {

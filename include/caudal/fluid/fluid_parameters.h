@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,9 @@ namespace caudal
     bool        backflow_stabilisation   = true;
     std::string initial_velocity;
     std::string body_force;
-    std::string exact_solution;
 
-    std::vector<Point<dim>> control_volume;
-    std::vector<Point<dim>> probes;
-
-    SharedInflow                                inflow;
-    std::vector<Choice<BoundaryCondition<dim>>> sides; // by boundary id
+    SharedInflow                               inflow;
+    std::deque<Choice<BoundaryCondition<dim>>> sides; // by boundary id
 
     FluidParameters();
     void add_parameters(ParameterHandler &prm);

@@ -18,10 +18,13 @@ namespace caudal
   {
   public:
     using Parameters = IdealParameters;
-    using State      = IdealState;
+    using Checkpoint = IdealState;
 
     /** Sets up surface, body and gait; refuses what can't work. Refers to the parameters. */
     IdealSwimmer(const IdealParameters &parameters, MPI_Comm communicator);
+
+    /** There is nothing to set up for a run that is not resumed. */
+    void start() {}
 
     /** Says what the case is like, which is always fast. */
     void check(std::ostream &out, bool fast) const;

@@ -1,6 +1,7 @@
 #ifndef caudal_mesh_body_grid_h
 #define caudal_mesh_body_grid_h
 
+#include <caudal/base/parameter_file.h>
 #include <caudal/mesh/shape.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -28,6 +29,9 @@ namespace caudal
     BodyGridParameters();
 
     void add_parameters(ParameterHandler &prm);
+
+    /** Entries of any body that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     /** Throws a sentence on values that can't work; @p path is "Body fish", for example. */
     void check(const std::string &path) const;

@@ -3,6 +3,7 @@
 
 #include <caudal/base/time_stepping.h>
 #include <caudal/fluid/fluid_state.h>
+#include <caudal/mesh/cell_lattice.h>
 #include <caudal/solid/body.h>
 
 namespace caudal

@@ -54,9 +54,23 @@ namespace caudal
     {
       return length;
     }
+    double get_gait_damping() const
+    {
+      return parameters.gait_damping;
+    }
     bool has_gait() const
     {
-      return gait != nullptr;
+      return gait->is_prescribed();
+    }
+    /** Whether muscle or gait count the arc length from x = 0 of the body's frame. */
+    bool counts_from_nose() const
+    {
+      return has_gait() || muscle->counts_from_nose();
+    }
+    /** Frequency of the beat [Hz] if parameters alone decide on it; otherwise 0. */
+    double get_beat_frequency() const
+    {
+      return has_gait() ? gait->get_beat_frequency() : muscle->get_beat_frequency();
     }
     /** Whether a muscle or a gait moves it. */
     bool swims() const;
@@ -79,11 +93,12 @@ namespace caudal
     /** Controller and muscle decide on the step of length @p step from @p state at @p time. */
     Contraction command_muscle(const BodyState &state, double time, double step) const;
 
-    /** The forces b of all loads of the @p account [N, in 2D N/m]. */
+    /** The forces b of the loads of the @p account [N, in 2D N/m]. */
     Vector<double> compute_force(LoadAccount account, const BodyMotion &motion) const;
 
-    /** The forces b of all loads; adds their derivatives to @p response. */
-    Vector<double> compute_force(const BodyMotion &motion, BodyResponse &response) const;
+    /** Those of all accounts; adds their derivatives to @p response unless that is null. */
+    std::map<LoadAccount, Vector<double>> compute_forces(const BodyMotion &motion,
+                                                         BodyResponse *response = nullptr) const;
 
     /** Lateral position of the muscle's monitored point, as the muscle is told [m]. */
     double get_lateral_position(const BodyState &state) const;
@@ -105,7 +120,7 @@ namespace caudal
     SolidBody<dim>                          solid;
     const double                            length;
     std::unique_ptr<Muscle<dim>>            muscle;
-    std::unique_ptr<Gait<dim>>              gait;
+    std::unique_ptr<Gait>                   gait;
     std::unique_ptr<Controller>             controller;
     std::vector<std::unique_ptr<Load<dim>>> loads;
     unsigned int                            lateral_point = 0;

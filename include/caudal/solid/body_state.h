@@ -30,9 +30,7 @@ namespace caudal
     void serialize(Archive &archive, unsigned int /*version*/)
     {
       archive &positions &old_positions &velocity &old_velocity &force_density;
-      archive &contraction.begin &contraction.step &contraction.command.gain;
-      archive &contraction.command.bias &contraction.before &contraction.after;
-      archive &contraction.decision &muscle_work &feedback_work;
+      archive &contraction &muscle_work                         &feedback_work;
     }
   };
 } // namespace caudal

@@ -1,8 +1,8 @@
 #ifndef caudal_solid_load_h
 #define caudal_solid_load_h
 
-#include <caudal/fish/gait.h>
 #include <caudal/fish/muscle.h>
+#include <caudal/fish/spine.h>
 #include <caudal/solid/solid_body.h>
 
 namespace caudal
@@ -87,7 +87,7 @@ namespace caudal
    * laid over the body by a rotation and a translation, plus its distance from X over ten steps.
    */
   template <int dim>
-  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait<dim> &gait,
+  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
                                             double damping);
 } // namespace caudal
 

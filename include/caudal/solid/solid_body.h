@@ -36,7 +36,7 @@ namespace caudal
 
   template <std::size_t dim>
   void set_value(Vector<double> &field, const std::array<unsigned int, dim> &node,
-                 const Tensor<1, dim> &value)
+                 const Tensor<1, static_cast<int>(dim)> &value)
   {
     for (unsigned int d = 0; d < dim; ++d)
       field[node[d]] = value[d];
