@@ -1,8 +1,9 @@
 #include <caudal/app/model_run.h>
 #include <caudal/app/verify_restart.h>
+#include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -83,8 +84,9 @@ namespace
 
   /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
   template <class Swimmer>
-  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_model(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(Swimmer::Parameters::get_renamed_entries());
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
     if (command_line.action == Action::verify_restart)
@@ -105,8 +107,9 @@ namespace
   }
 
   template <int dim>
-  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_elastic(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(BodyGridParameters<dim>::get_renamed_entries());
     using Action = CommandLine::Action;
     ElasticParameters<dim> parameters(&file);
     AssertThrow(command_line.action != Action::resume &&
@@ -127,7 +130,7 @@ namespace
     {
       std::ostringstream summary;
       body.print_summary(summary);
-      print(summary.str() + "Nothing speaks against a run.\n");
+      print(summary.str() + "No problems found.\n");
       return finished;
     }
     const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);
@@ -191,15 +194,16 @@ namespace
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    load_libraries(file ? file->get("Libraries", "") : "");
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
       return model == "potential"
-                 ? print_model_parameters(PotentialParameters(), command_line.format)
+                 ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
     if (model == "potential")
-      return run_model<PotentialSwimmer>(*file, command_line);
+      return run_model<IdealSwimmer>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
       return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);
@@ -213,21 +217,9 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
-  std::string error;
-  try
-  {
-    return run(argc, argv);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
-    std::ostringstream text;
-    exception.print_info(text);
-    error = dealii::Utilities::trim(text.str());
-  }
-  catch (const std::exception &exception)
-  {
-    error = exception.what();
-  }
-  report_error(error);
-  return failed;
+  Exit              exit  = failed;
+  const std::string error = catch_error([&]() { exit = run(argc, argv); });
+  if (!error.empty())
+    report_error(error);
+  return exit;
 }

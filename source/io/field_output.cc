@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/field_output.h>
 #include <caudal/io/safe_file.h>
@@ -59,7 +60,7 @@ namespace caudal
       return before + pieces + after;
     }
 
-    /** Writes the data and returns their entry in the list. Collective. */
+    /** Writes the data as VTU and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const std::string &folder,
                           const std::string &file, const std::string &name, const double time,
@@ -83,7 +84,7 @@ namespace caudal
       return entry.str();
     }
 
-    /** The same for the other format. */
+    /** Writes the data as HDF5 and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_hdf5(const DataOutInterface<dim, spacedim> &data_out,
                            const std::string &folder, const std::string &file,
@@ -125,10 +126,8 @@ namespace caudal
   void OutputParameters::check() const
   {
     AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
-    AssertThrow(std::isfinite(field_interval) && field_interval >= 0,
-                ExcMessage("Output/Interval of fields: the interval is " +
-                           std::to_string(field_interval) +
-                           " s. Give a positive time, or 0 for every step."));
+    check_not_negative("Output/Interval of fields", field_interval,
+                       "Give a positive time [s], or 0 for every step.");
   }
 
   FieldFormat OutputParameters::get_format() const
@@ -177,27 +176,20 @@ namespace caudal
                ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
                : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
     };
-    try
-    {
+    const std::string error = catch_error([&]() {
       if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
         run_on_root(communicator, write_data);
       else
         run_on_all(communicator, write_data);
-    }
-    catch (const ExceptionBase &exception)
-    {
-      std::ostringstream reason;
-      exception.print_info(reason);
-      AssertThrow(
-          false,
-          ExcMessage("The fields can't be written any more: " + Utilities::trim(reason.str()) +
-                     ". Make room or give access, then go on by caudal --resume " + folder + "."));
-    }
-
-    run_on_root(communicator, [&]() {
-      series[round_to_list(time)][name] = entry;
-      write_list();
+      run_on_root(communicator, [&]() {
+        series[round_to_list(time)][name] = entry;
+        write_list();
+      });
     });
+    AssertThrow(error.empty(), ExcMessage("The fields can't be written any more: " + error +
+                                          ". Make room or give access, then go on by caudal "
+                                          "--resume " +
+                                          folder + "."));
   }
 
   std::string FieldOutput::get_list_name() const
@@ -228,8 +220,7 @@ namespace caudal
 
   void FieldOutput::write_list() const
   {
-    const std::string temporary = get_list_name() + ".tmp";
-    std::ofstream     out(temporary);
+    std::ostringstream out;
     out.precision(n_digits);
     const bool is_vtu = format == FieldFormat::vtu;
     out << "<?xml version=\"1.0\"?>\n"
@@ -248,10 +239,7 @@ namespace caudal
         out << "</Grid>\n";
     }
     out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
-    out.close();
-    AssertThrow(out, ExcMessage("The list of fields <" + temporary +
-                                "> can't be written. Is the disk full?"));
-    std::filesystem::rename(temporary, get_list_name());
+    replace_file(get_list_name(), out.str());
   }
 
   template void FieldOutput::write(DataOutInterface<2> &, const std::string &, double, unsigned int,

@@ -36,25 +36,26 @@ namespace caudal
           reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
       return get_number != nullptr ? get_number() : 1;
     }
+
+    /** The linear algebra library that serves the calls to dgemm: its name and a verdict. */
+    std::string get_blas()
+    {
+      Dl_info     info;
+      void *const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+      if (dgemm == nullptr || dladdr(dgemm, &info) == 0)
+        return "unknown BLAS";
+
+      std::error_code   error;
+      const std::string path = std::filesystem::canonical(info.dli_fname, error).string();
+      for (const auto &known : {std::pair("openblas", "OpenBLAS"), std::pair("mkl", "Intel MKL"),
+                                std::pair("blis", "BLIS"), std::pair("atlas", "ATLAS")})
+        if (path.find(known.first) != std::string::npos)
+          return std::string(known.second) + " (" + path + ")";
+      if (path.find("/blas/libblas") != std::string::npos)
+        return "reference BLAS: slow, install libopenblas0 (" + path + ")";
+      return path;
+    }
   } // namespace
-
-  std::string get_blas()
-  {
-    Dl_info     info;
-    void *const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
-    if (dgemm == nullptr || dladdr(dgemm, &info) == 0)
-      return "unknown BLAS";
-
-    std::error_code   error;
-    const std::string path = std::filesystem::canonical(info.dli_fname, error).string();
-    for (const auto &known : {std::pair("openblas", "OpenBLAS"), std::pair("mkl", "Intel MKL"),
-                              std::pair("blis", "BLIS"), std::pair("atlas", "ATLAS")})
-      if (path.find(known.first) != std::string::npos)
-        return std::string(known.second) + " (" + path + ")";
-    if (path.find("/blas/libblas") != std::string::npos)
-      return "reference BLAS: slow, install libopenblas0 (" + path + ")";
-    return path;
-  }
 
   /** What the terminal gets of the text. */
   enum class Shown
@@ -112,20 +113,21 @@ namespace caudal
   };
 
   Log::Log(const std::string &name, const MPI_Comm communicator, const bool append)
-      : communicator(communicator)
+      : std::ostream(nullptr)
+      , communicator(communicator)
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       file.open(name, append ? std::ios::app : std::ios::trunc);
       AssertThrow(file.is_open(), ExcMessage("The log file <" + name + "> can't be written."));
       buffer = std::make_unique<Buffer>(std::cout.rdbuf(), file.rdbuf());
+      rdbuf(buffer.get());
     }
-    stream = std::make_unique<std::ostream>(buffer.get());
   }
 
   Log::~Log()
   {
-    stream->flush();
+    flush();
   }
 
   void Log::keep_from_terminal(const bool but_for_warnings)

@@ -1,4 +1,4 @@
-#include <caudal/linear/elimination_tree.h>
+#include "elimination_tree.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -41,6 +41,28 @@ namespace caudal
       Cholmod(const Cholmod &)            = delete;
       Cholmod &operator=(const Cholmod &) = delete;
 
+      operator cholmod_common *()
+      {
+        return &data;
+      }
+
+      struct Free
+      {
+        cholmod_common *data;
+
+        void operator()(cholmod_sparse *matrix) const
+        {
+          cholmod_free_sparse(&matrix, data);
+        }
+      };
+      using Matrix = std::unique_ptr<cholmod_sparse, Free>;
+
+      Matrix own(cholmod_sparse *matrix)
+      {
+        check(matrix != nullptr);
+        return Matrix(matrix, Free{&data});
+      }
+
       void check(const bool succeeded) const
       {
         AssertThrow(succeeded && data.status >= CHOLMOD_OK,
@@ -48,6 +70,7 @@ namespace caudal
                                std::to_string(data.status) + " (-2: out of memory)."));
       }
 
+    private:
       cholmod_common data;
     };
 
@@ -92,100 +115,108 @@ namespace caudal
       std::vector<int> begins, groups;
     };
 
-    /** Upper triangle of the groups' pattern with the diagonal, column by column. */
-    struct Pattern
+    /** Upper triangle of the symmetric pattern in which each clique couples all of its groups. */
+    Cholmod::Matrix find_pattern(Cholmod &cholmod, const int n_groups, Cliques &cliques)
     {
-      Pattern(const int n_groups, const Cliques &cliques)
-          : begins(n_groups + 1)
-      {
-        // The cliques of each group.
-        std::vector<int> ends(n_groups + 1);
-        for (const int group : cliques.groups)
-          ++ends[group + 1];
-        std::partial_sum(ends.begin(), ends.end(), ends.begin());
-        const std::vector<int> list_begins(ends);
-        std::vector<int>       lists(cliques.groups.size());
-        for (std::size_t c = 0; c < cliques.count(); ++c)
-          for (int k = cliques.begins[c]; k < cliques.begins[c + 1]; ++k)
-            lists[ends[cliques.groups[k]]++] = c;
-
-        std::vector<int> last_column(n_groups, -1);
-        for (int column = 0; column < n_groups; ++column)
-        {
-          begins[column] = rows.size();
-          rows.push_back(column);
-          for (int l = list_begins[column]; l < list_begins[column + 1]; ++l)
-            for (int k = cliques.begins[lists[l]]; k < cliques.begins[lists[l] + 1]; ++k)
-            {
-              const int row = cliques.groups[k];
-              if (row < column && last_column[row] != column)
-              {
-                last_column[row] = column;
-                rows.push_back(row);
-              }
-            }
-        }
-        begins[n_groups] = rows.size();
-      }
-
-      cholmod_sparse get_view()
-      {
-        cholmod_sparse view{};
-        view.nrow = view.ncol = begins.size() - 1;
-        view.nzmax            = rows.size();
-        view.p                = begins.data();
-        view.i                = rows.data();
-        view.stype            = 1;
-        view.itype            = CHOLMOD_INT;
-        view.xtype            = CHOLMOD_PATTERN;
-        view.dtype            = CHOLMOD_DOUBLE;
-        view.packed           = 1;
-        return view;
-      }
-
-      std::vector<int> begins, rows;
-    };
+      cholmod_sparse members{}; // groups times cliques
+      members.nrow         = n_groups;
+      members.ncol         = cliques.count();
+      members.nzmax        = cliques.groups.size();
+      members.p            = cliques.begins.data();
+      members.i            = cliques.groups.data();
+      members.itype        = CHOLMOD_INT;
+      members.xtype        = CHOLMOD_PATTERN;
+      members.dtype        = CHOLMOD_DOUBLE;
+      members.packed       = 1;
+      const auto couplings = cholmod.own(cholmod_aat(&members, nullptr, 0, 0, cholmod));
+      return cholmod.own(cholmod_copy(couplings.get(), 1, 0, cholmod));
+    }
 
     std::vector<int> find_order(Cholmod &cholmod, cholmod_sparse &pattern, const int n_eliminated)
     {
       std::vector<int> order(pattern.ncol), constraints(pattern.ncol);
       std::fill(constraints.begin() + n_eliminated, constraints.end(), 1);
-      cholmod.check(
-          cholmod_camd(&pattern, nullptr, 0, constraints.data(), order.data(), &cholmod.data) != 0);
+      cholmod.check(cholmod_camd(&pattern, nullptr, 0, constraints.data(), order.data(), cholmod) !=
+                    0);
       return order;
+    }
+
+    /** Numbers that are the same if and only if the analysis is. */
+    std::vector<int> list_pattern(const std::vector<int> &group_begins, const MatrixParts &matrix,
+                                  const unsigned int n_kept)
+    {
+      std::vector<int> list(group_begins);
+      list.push_back(n_kept);
+      list.push_back(matrix.elements.size());
+      for (const ElementMatrix &element : matrix.elements)
+      {
+        list.push_back(element.n);
+        list.insert(list.end(), element.unknowns, element.unknowns + element.n);
+      }
+      list.insert(list.end(), matrix.entries.rows.begin(), matrix.entries.rows.end());
+      list.insert(list.end(), matrix.entries.columns.begin(), matrix.entries.columns.end());
+      return list;
+    }
+
+    EliminationTree::PartsOfFronts sort_by_front(const std::vector<int> &front_of_part,
+                                                 const std::size_t       n_fronts)
+    {
+      EliminationTree::PartsOfFronts parts;
+      parts.begins.assign(n_fronts + 1, 0);
+      for (const int front : front_of_part)
+        ++parts.begins[front + 1];
+      std::partial_sum(parts.begins.begin(), parts.begins.end(), parts.begins.begin());
+      std::vector<int> next(parts.begins);
+      parts.numbers.resize(front_of_part.size());
+      for (std::size_t k = 0; k < front_of_part.size(); ++k)
+        parts.numbers[next[front_of_part[k]]++] = k;
+      return parts;
     }
   } // namespace
 
-  void EliminationTree::build(const std::vector<int> &group_begins, const MatrixParts &matrix,
-                              const unsigned int n_kept)
+  bool EliminationTree::update(const std::vector<int> &group_begins, const MatrixParts &matrix,
+                               const unsigned int n_kept)
   {
+    std::vector<int> new_pattern = list_pattern(group_begins, matrix, n_kept);
+    if (new_pattern == pattern)
+      return false;
+    pattern.clear(); // in case that something throws
+
     const int        n_groups = group_begins.size() - 1, n = group_begins.back();
     std::vector<int> group_of(n);
     for (int group = 0; group < n_groups; ++group)
       std::fill(group_of.begin() + group_begins[group], group_of.begin() + group_begins[group + 1],
                 group);
-    const int first_kept_group = n_kept > 0 ? group_of[n - n_kept] : n_groups;
+    fronts.clear();
+    unknowns.clear();
+    front_of.assign(n, -1);
+    place.assign(n, n);
+    if (const int first_kept_group = n_kept > 0 ? group_of[n - n_kept] : n_groups)
+      find_fronts(group_begins, matrix, first_kept_group, group_of);
+    assign_parts(matrix);
+    pattern = std::move(new_pattern);
+    return true;
+  }
 
-    Cholmod          cholmod;
-    Pattern          pattern(n_groups, Cliques(group_of, n_groups, matrix));
-    cholmod_sparse   view  = pattern.get_view();
-    std::vector<int> order = find_order(cholmod, view, first_kept_group);
+  void EliminationTree::find_fronts(const std::vector<int> &group_begins, const MatrixParts &matrix,
+                                    const int first_kept_group, const std::vector<int> &group_of)
+  {
+    const int              n_groups = group_begins.size() - 1;
+    Cholmod                cholmod;
+    Cliques                cliques(group_of, n_groups, matrix);
+    const auto             couplings = find_pattern(cholmod, n_groups, cliques);
+    const std::vector<int> order     = find_order(cholmod, *couplings, first_kept_group);
 
-    const auto free_factor = [&](cholmod_factor *factor) {
-      cholmod_free_factor(&factor, &cholmod.data);
-    };
+    const auto free_factor = [&](cholmod_factor *factor) { cholmod_free_factor(&factor, cholmod); };
     const std::unique_ptr<cholmod_factor, decltype(free_factor)> factor(
-        cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.data), free_factor);
+        cholmod_analyze_p(couplings.get(), const_cast<int *>(order.data()), nullptr, 0, cholmod),
+        free_factor);
     cholmod.check(factor != nullptr);
     const auto *groups = static_cast<const int *>(factor->Perm);
     const auto *first  = static_cast<const int *>(factor->super); // places of the first pivots
     const auto *begin  = static_cast<const int *>(factor->pi);    // of a front in `rows`
     const auto *rows   = static_cast<const int *>(factor->s);     // places, ascending
 
-    fronts.clear();
-    unknowns.clear();
-    front_of.assign(n, -1);
-    place.assign(n, n);
     for (std::size_t s = 0; s < factor->nsuper; ++s)
     {
       Front front{unknowns.size(), 0, 0, -1};
@@ -212,5 +243,23 @@ namespace caudal
     for (Front &front : fronts)
       if (front.n_rest > 0)
         front.parent = front_of[unknowns[front.begin + front.n_pivots]];
+  }
+
+  void EliminationTree::assign_parts(const MatrixParts &matrix)
+  {
+    const auto is_earlier = [&](const int a, const int b) { return place[a] < place[b]; };
+    const auto find_front = [&](const int unknown) {
+      return front_of[unknown] < 0 ? static_cast<int>(fronts.size()) : front_of[unknown];
+    };
+    std::vector<int> front_of_part;
+    for (const ElementMatrix &element : matrix.elements)
+      front_of_part.push_back(find_front(
+          *std::min_element(element.unknowns, element.unknowns + element.n, is_earlier)));
+    elements = sort_by_front(front_of_part, fronts.size() + 1);
+    front_of_part.clear();
+    for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
+      front_of_part.push_back(
+          find_front(std::min(matrix.entries.rows[k], matrix.entries.columns[k], is_earlier)));
+    entries = sort_by_front(front_of_part, fronts.size() + 1);
   }
 } // namespace caudal

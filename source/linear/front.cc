@@ -1,4 +1,4 @@
-#include <caudal/linear/front.h>
+#include "front.h"
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -16,7 +16,8 @@ namespace caudal
     /** The same for the triangular solutions in them, which BLAS is slow at. */
     constexpr int small_width = 8;
 
-    /** A pivot is poor where the entries below it are larger by this factor (MUMPS' 1e-6). */
+    /** A pivot is poor where the entries below it are larger by this factor. */
+
     constexpr double largest_growth = 1e6;
     /** c := beta c + alpha a b */
     void multiply(const double alpha, const Block &a, const Block &b, const double beta,

@@ -1,4 +1,4 @@
-#include <caudal/linear/own_parts.h>
+#include "own_parts.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -10,64 +10,47 @@ namespace caudal
 {
   namespace
   {
-    /** In messages in place of an element's number of unknowns. */
-    constexpr int single_entry = -1;
-
-    /** What goes to other ranks: (number of unknowns, unknowns) or (single_entry, row, column). */
-    struct Messages
-    {
-      std::map<unsigned int, std::vector<int>>    indices;
-      std::map<unsigned int, std::vector<double>> values;
-
-      void add(const unsigned int target, const ElementMatrix &element)
-      {
-        std::vector<int>    &target_indices = indices[target];
-        std::vector<double> &target_values  = values[target];
-        target_indices.push_back(element.n);
-        target_indices.insert(target_indices.end(), element.unknowns, element.unknowns + element.n);
-        target_values.insert(target_values.end(), element.values,
-                             element.values + element.n_entries());
-      }
-
-      void add(const unsigned int target, const int row, const int column, const double value)
-      {
-        std::vector<int> &target_indices = indices[target];
-        target_indices.insert(target_indices.end(), {single_entry, row, column});
-        values[target].push_back(value);
-      }
-    };
-  } // namespace
+    constexpr int single_entry = -1; // in place of an element's number of unknowns
+  }
 
   OwnParts::OwnParts(const MatrixParts &matrix, const std::vector<int> &rank_of,
-                     MPI_Comm communicator)
+                     const MPI_Comm communicator)
   {
-    const int rank = Utilities::MPI::this_mpi_process(communicator);
-    Messages  messages;
+    const int                       rank = Utilities::MPI::this_mpi_process(communicator);
+    std::map<unsigned int, Message> messages;
     for (const ElementMatrix &element : matrix.elements)
     {
       int target = rank_of[element.unknowns[0]];
       for (int i = 1; i < element.n; ++i)
         target = std::min(target, rank_of[element.unknowns[i]]);
       if (target == rank)
+      {
         add(element);
-      else
-        messages.add(target, element);
+        continue;
+      }
+      auto &[indices, values] = messages[target];
+      indices.push_back(element.n);
+      indices.insert(indices.end(), element.unknowns, element.unknowns + element.n);
+      values.insert(values.end(), element.values, element.values + element.n_entries());
     }
-    const auto &[rows, columns, values] = matrix.entries;
-    for (std::size_t k = 0; k < values.size(); ++k)
+    const auto &[rows, columns, entries] = matrix.entries;
+    for (std::size_t k = 0; k < entries.size(); ++k)
     {
       const int target = std::min(rank_of[rows[k]], rank_of[columns[k]]);
       if (target == rank)
-        parts.entries.add(rows[k], columns[k], values[k]);
-      else
-        messages.add(target, rows[k], columns[k], values[k]);
+      {
+        parts.entries.add(rows[k], columns[k], entries[k]);
+        continue;
+      }
+      auto &[indices, values] = messages[target];
+      indices.insert(indices.end(), {single_entry, rows[k], columns[k]});
+      values.push_back(entries[k]);
     }
 
-    const auto indices = Utilities::MPI::some_to_some(communicator, messages.indices);
-    received_values    = Utilities::MPI::some_to_some(communicator, messages.values);
-    for (const auto &[source, received] : indices)
-      unpack(received, received_values.at(source));
-    const int *begin = unknowns.data();
+    received = Utilities::MPI::some_to_some(communicator, messages);
+    for (const auto &[source, message] : received)
+      unpack(message);
+    const int *begin = unknowns.data(); // which grow no more
     for (ElementMatrix &element : parts.elements)
     {
       element.unknowns = begin;
@@ -75,16 +58,18 @@ namespace caudal
     }
   }
 
+  /** The unknowns are copied; where they are follows when all are there. */
   void OwnParts::add(const ElementMatrix &element)
   {
     unknowns.insert(unknowns.end(), element.unknowns, element.unknowns + element.n);
     parts.elements.push_back({element.n, nullptr, element.values});
   }
 
-  void OwnParts::unpack(const std::vector<int> &indices, const std::vector<double> &values)
+  void OwnParts::unpack(const Message &message)
   {
-    const double *value = values.data();
-    for (const int *index = indices.data(); index != indices.data() + indices.size();)
+    const double *value = message.values.data();
+    const int    *end   = message.indices.data() + message.indices.size();
+    for (const int *index = message.indices.data(); index != end;)
       if (*index == single_entry)
       {
         parts.entries.add(index[1], index[2], *value);

@@ -77,9 +77,7 @@ namespace caudal
       const auto &[lower, upper] = box.get_boundary_points();
       any_cell_between(lattice.get_coordinates(lower - slack, finest),
                        lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
-                         if (!lattice.is_inside(cell, finest))
-                           inside_domain = false;
-                         else
+                         if (lattice.is_inside(cell, finest))
                            // Once an ancestor is known, so are all above it.
                            for (int level = finest;
                                 level >= 0 &&

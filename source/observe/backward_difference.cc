@@ -20,19 +20,16 @@ namespace caudal
   template <int dim>
   Tensor<1, dim> BackwardDifference<dim>::get_derivative() const
   {
-    const unsigned int n = samples.size();
-    if (n < 2)
+    if (samples.size() < 2)
       return Tensor<1, dim>();
-    const auto slope = [this](const unsigned int i) {
-      return (samples[i].second - samples[i - 1].second) /
-             (samples[i].first - samples[i - 1].first);
-    };
-    if (n == 2)
-      return slope(1);
+    const Tensor<1, dim> slope = get_change() / get_step();
+    if (samples.size() == 2)
+      return slope;
     // The derivative at its last point of the parabola through the three samples.
-    const double step  = samples[2].first - samples[1].first;
-    const double range = samples[2].first - samples[0].first;
-    return slope(2) + step / range * (slope(2) - slope(1));
+    const auto &[first_time, first]   = samples[0];
+    const auto &[middle_time, middle] = samples[1];
+    const Tensor<1, dim> old_slope    = (middle - first) / (middle_time - first_time);
+    return slope + get_step() / (samples[2].first - first_time) * (slope - old_slope);
   }
 
   template <int dim>

@@ -11,13 +11,23 @@ namespace caudal
 
   void BodyVector::receive(const FieldVector &source)
   {
-    std::copy(source.begin(), source.begin() + source.locally_owned_size(), values.begin());
+    std::copy_n(source.begin(), source.locally_owned_size(), values.begin());
     MPI_Bcast(values.data(), values.size(), MPI_DOUBLE, 0, communicator);
   }
 
   void BodyVector::send(FieldVector &target) const
   {
-    std::copy(values.begin(), values.begin() + target.locally_owned_size(), target.begin());
+    std::copy_n(values.begin(), target.locally_owned_size(), target.begin());
+  }
+
+  FieldVector BodyVector::make_owned() const
+  {
+    IndexSet owned(values.size());
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      owned.add_range(0, values.size());
+    FieldVector result(owned, communicator);
+    send(result);
+    return result;
   }
 
   Vector<double> BodyVector::extract(const Places &places) const

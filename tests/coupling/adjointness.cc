@@ -150,25 +150,29 @@ namespace
   {
     const bool         is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     CouplingParameters parameters;
-    parameters.kernel = kernel;
-    InteractionOperator<dim> interaction(parameters, MPI_COMM_WORLD);
-    const Body<dim>          body(corner);
-    Fluid<dim>               fluid(body, interaction.get_support());
-    const unsigned int       n = body.dof_handler.n_dofs();
+    parameters.kernel.set_name(kernel);
+    const Coupling     coupling(parameters);
+    const Body<dim>    body(corner);
+    Fluid<dim>         fluid(body, coupling.get_support());
+    const unsigned int n = body.dof_handler.n_dofs();
 
-    const unsigned int n_points =
-        interaction.reinit(*fluid.finest_cells, fluid.dof_handler, fluid.constraints,
-                           fluid.velocity, body.dof_handler, body.positions, "test");
+    const auto compute_interaction = [&](const Vector<double> &positions) {
+      return InteractionOperator<dim>(coupling,
+                                      {*fluid.finest_cells, fluid.dof_handler, fluid.constraints,
+                                       fluid.velocity.get_partitioner()},
+                                      body.dof_handler, positions, "test");
+    };
+    const InteractionOperator<dim> interaction = compute_interaction(body.positions);
     if (is_root)
       std::cout << dim << "D, " << kernel << ", corner at " << corner << ": "
-                << fluid.triangulation.n_global_active_cells() << " cells, " << n_points
-                << " points\n";
+                << fluid.triangulation.n_global_active_cells() << " cells, "
+                << interaction.n_points() << " points\n";
 
     // Phi.(G u) and (G^T Phi).u for random vectors, which are not the same on
     // different numbers of ranks, and for a smooth field, whose power is.
     std::mt19937 generator(1 + Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
     std::uniform_real_distribution<double> random(-1, 1);
-    Vector<double>                         force_density(n), interpolated(n);
+    Vector<double>                         force_density(n);
     for (unsigned int i = 0; i < n; ++i)
       force_density[i] = 1000 * std::sin(1 + i);
     FieldVector force(fluid.velocity);
@@ -183,7 +187,8 @@ namespace
         fluid.constraints.distribute(fluid.velocity);
         fluid.velocity.update_ghost_values();
       }
-      interaction.interpolate(fluid.velocity, interpolated, /*homogeneous=*/true);
+      const Vector<double> interpolated =
+          interaction.interpolate(fluid.velocity, /*homogeneous=*/true);
       force = 0;
       interaction.spread(force_density, force);
       const double of_body = force_density * interpolated, of_fluid = force * fluid.velocity;
@@ -195,7 +200,7 @@ namespace
     }
 
     // M_s^-1 G reproduces linear fields; so G's rows sum to int N_a.
-    interaction.interpolate(fluid.velocity, interpolated);
+    Vector<double>         interpolated = interaction.interpolate(fluid.velocity);
     Vector<double>         nodal(n), expected(n);
     const LinearField<dim> field;
     for (const auto &cell : body.dof_handler.active_cell_iterators())
@@ -239,8 +244,7 @@ namespace
     moved.add(0.2);
     try
     {
-      interaction.reinit(*fluid.finest_cells, fluid.dof_handler, fluid.constraints, fluid.velocity,
-                         body.dof_handler, moved, "test");
+      compute_interaction(moved);
     }
     catch (const ExceptionBase &exception)
     {

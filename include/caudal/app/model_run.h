@@ -13,7 +13,7 @@ namespace caudal
 {
   /**
    * A case of the model @p Swimmer as its parameter file describes it, which starts, or goes on
-   * from a checkpoint. The swimmer names its Parameters and the State that a checkpoint holds,
+   * from a checkpoint. The swimmer names its Parameters and its Checkpoint,
    * and is constructed for each run.
    */
   template <class Swimmer>
@@ -21,7 +21,7 @@ namespace caudal
   {
   public:
     using Parameters = typename Swimmer::Parameters;
-    using State      = typename Swimmer::State;
+    using Checkpoint = typename Swimmer::Checkpoint;
 
     /** Reads and checks all parameters. */
     ModelRun(const ParameterFile &file, MPI_Comm communicator);
@@ -43,6 +43,9 @@ namespace caudal
     FigureParameters     figures;
     ParameterValues      values;
     std::string          text; // of all parameters
+
+    /** What the user should know of the parameters that were given. */
+    std::vector<std::string> remarks;
 
     Outcome run(Swimmer &swimmer, OutputFolder::Start start,
                 const std::vector<std::string> &messages,

@@ -2,7 +2,7 @@
 #define caudal_fluid_cellwise_matrix_h
 
 #include <caudal/base/types.h>
-#include <caudal/linear/matrix_parts.h>
+#include <caudal/linear/multifrontal.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>

@@ -81,12 +81,6 @@ namespace caudal
   Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
                                             const FieldVector     &velocity);
 
-  /** L2 errors of velocity and pressure (its mean removed) against the exact solution at @p time.
-   */
-  template <int dim>
-  std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
-                                           const FluidState<dim> &state, double time);
-
   /** The vorticity for DataOut: a scalar in 2D, a vector in 3D [1/s]. */
   template <int dim>
   class VorticityPostprocessor : public DataPostprocessor<dim>

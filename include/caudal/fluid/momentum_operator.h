@@ -48,11 +48,11 @@ namespace caudal
 
     /**
      * Assembles A (unless it is the same as in the last call: no transport and
-     * equal weights; then returns false) and the @p residual of @p velocity
+     * equal weights) and returns the residual of @p velocity
      * and @p pressure. All input vectors have up-to-date ghost values.
      */
-    bool assemble(const MomentumStep &step, const FieldVector &velocity,
-                  const FieldVector &pressure, FieldVector &residual);
+    FieldVector assemble(const MomentumStep &step, const FieldVector &velocity,
+                         const FieldVector &pressure) const;
 
     const CellwiseMatrix &get_matrix() const
     {
@@ -64,18 +64,20 @@ namespace caudal
       return divergence_matrix;
     }
 
-    /** result = B u with all, also the constrained, velocities. */
-    void compute_divergence(const FieldVector &velocity, FieldVector &result) const;
+    /** B u with all, also the constrained, velocities. */
+    FieldVector compute_divergence(const FieldVector &velocity) const;
 
     /** vector := M_p^-1 vector, M_p the mass matrix of the pressure. */
     void apply_inverse_pressure_mass(FieldVector &vector) const;
 
   private:
     const FluidSpace<dim>         &space;
-    CellwiseMatrix                 matrix;
     TrilinosWrappers::SparseMatrix divergence_matrix;
-    MomentumWeights                constant_weights;
-    bool                           matrix_is_constant = false;
+
+    // Work space: A of the last assemble().
+    mutable CellwiseMatrix  matrix;
+    mutable MomentumWeights constant_weights;
+    mutable bool            matrix_is_constant = false;
 
     class CellAssembler;
   };

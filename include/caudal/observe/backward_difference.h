@@ -12,23 +12,23 @@ namespace caudal
 {
   using namespace dealii;
 
-  /** d/dt of sampled values at the last of them, from the last three: of second order. */
+  /** Time derivative of sampled values at the last of them, from the last three: second order. */
   template <int dim>
   class BackwardDifference
   {
   public:
     void add(double time, const Tensor<1, dim> &value);
 
-    /** Adds @p jump to the samples so far, to which a later one is then compared. */
+    /** Adds @p jump to all samples so far, so that it does not count as a change. */
     void shift(const Tensor<1, dim> &jump);
 
-    /** Of first order from two samples, zero from one. */
+    /** The derivative; first order from two samples, zero from one. */
     Tensor<1, dim> get_derivative() const;
 
-    /** The same between the last two samples: their change. Zero if there are not two. */
+    /** Change between the last two samples, zero if there are not two. */
     Tensor<1, dim> get_change() const;
 
-    /** The time between the last two samples, zero if there are not two. */
+    /** Time between the last two samples, zero if there are not two. */
     double get_step() const;
 
     bool is_empty() const

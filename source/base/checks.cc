@@ -1,0 +1,40 @@
+#include <caudal/base/checks.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
+
+#include <cmath>
+
+using namespace dealii;
+
+namespace caudal
+{
+  void check_value(const bool is_right, const std::string &path, const double value,
+                   const std::string &remedy)
+  {
+    AssertThrow(
+        is_right && std::isfinite(value),
+        ExcMessage(path + ": the value is " + Patterns::Tools::to_string(value) + ". " + remedy));
+  }
+
+  void check_finite(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(true, path, value, remedy);
+  }
+
+  void check_positive(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(value > 0, path, value, remedy);
+  }
+
+  void check_not_negative(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(value >= 0, path, value, remedy);
+  }
+
+  void check_between(const std::string &path, const double value, const double lowest,
+                     const double highest, const std::string &remedy)
+  {
+    check_value(lowest <= value && value <= highest, path, value, remedy);
+  }
+} // namespace caudal
