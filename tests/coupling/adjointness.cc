@@ -13,6 +13,9 @@
 #include <deal.II/numerics/matrix_tools.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "../round_off.h"
+
+#include <iomanip>
 #include <iostream>
 #include <random>
 
@@ -164,8 +167,8 @@ namespace
     };
     const InteractionOperator<dim> interaction = compute_interaction(body.positions);
     if (is_root)
-      std::cout << dim << "D, " << kernel << ", corner at " << corner << ": "
-                << fluid.triangulation.n_global_active_cells() << " cells, "
+      std::cout << std::fixed << std::setprecision(6) << dim << "D, " << kernel << ", corner at "
+                << corner << ": " << fluid.triangulation.n_global_active_cells() << " cells, "
                 << interaction.n_points() << " points\n";
 
     // Phi.(G u) and (G^T Phi).u for random vectors, which are not the same on
@@ -192,9 +195,9 @@ namespace
       force = 0;
       interaction.spread(force_density, force);
       const double of_body = force_density * interpolated, of_fluid = force * fluid.velocity;
-      const double error = std::abs(of_body - of_fluid) / std::abs(of_body);
       if (is_root)
-        std::cout << "  power of body and fluid equal: " << (error < 1e-12) << '\n';
+        std::cout << "  power of body and fluid equal but for "
+                  << in_units(1e-12, of_fluid / of_body - 1) << '\n';
       if (is_root && smooth)
         std::cout << "  power " << of_fluid << '\n';
     }
@@ -220,8 +223,8 @@ namespace
     body.mass.vmult(expected, nodal);
     interpolated -= expected;
     if (is_root)
-      std::cout << "  linear field interpolated exactly: "
-                << (interpolated.linfty_norm() < 1e-12 * expected.linfty_norm()) << '\n';
+      std::cout << "  relative error of an interpolated linear field "
+                << in_units(1e-12, interpolated.linfty_norm() / expected.linfty_norm()) << '\n';
 
     // The total of a force of (1, 0, 0) per volume is the body's volume, if no
     // part of it acts on the boundary.
