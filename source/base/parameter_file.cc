@@ -216,8 +216,8 @@ namespace caudal
       const auto fits = [&](const RenamedEntry &renamed) {
         // In a section that has the former name of an entry, which has moved there, names are new.
         if (renamed.new_path.rfind(renamed.old_path + "/", 0) == 0 &&
-            (assignment.entry.empty() || count_names(get_path(assignment)) !=
-                                             count_names(renamed.old_path)))
+            (assignment.entry.empty() ||
+             count_names(get_path(assignment)) != count_names(renamed.old_path)))
           return false;
         return find_new_path(get_path(assignment), renamed) &&
                (renamed.old_value.empty() || renamed.old_value == assignment.value);

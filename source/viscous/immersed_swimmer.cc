@@ -332,8 +332,7 @@ namespace caudal
                 ? ""
                 : std::to_string(operators.solver.get_n_pivoting_factorisations()) +
                       " of them with pivots from all rows, which is slow, ")
-        << get_memory()
-        << " MiB of memory on all ranks";
+        << get_memory() << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";
     if (duration > 0 && period > 0)

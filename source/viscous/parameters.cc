@@ -40,8 +40,8 @@ namespace caudal
     for (const std::string entry :
          {"Heading/Target heading", "Heading/Heading gain", "Heading/Yaw rate gain",
           "Heading/Largest bias", "Speed/Target speed", "Speed/Speed gain", "Speed/Largest gain"})
-      entries.push_back({"Body */Controller/" + entry.substr(entry.find('/') + 1),
-                         "Body */Controller/" + entry});
+      entries.push_back(
+          {"Body */Controller/" + entry.substr(entry.find('/') + 1), "Body */Controller/" + entry});
     return entries;
   }
 
