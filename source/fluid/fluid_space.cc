@@ -78,9 +78,8 @@ namespace caudal
   AffineConstraints<double> FluidSpace<dim>::make_constraints(const double time,
                                                               const bool   homogeneous) const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    AffineConstraints<double> result(relevant);
+    AffineConstraints<double> result = compatibility::make_constraints(
+        velocity_dofs.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(velocity_dofs));
     DoFTools::make_hanging_node_constraints(velocity_dofs, result);
 
     const Functions::ZeroFunction<dim> zero(dim);
@@ -124,17 +123,15 @@ namespace caudal
   template <int dim>
   FieldVector FluidSpace<dim>::make_velocity_vector() const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    return FieldVector(velocity_dofs.locally_owned_dofs(), relevant, get_communicator());
+    return FieldVector(velocity_dofs.locally_owned_dofs(),
+                       DoFTools::extract_locally_relevant_dofs(velocity_dofs), get_communicator());
   }
 
   template <int dim>
   FieldVector FluidSpace<dim>::make_pressure_vector() const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(pressure_dofs, relevant);
-    return FieldVector(pressure_dofs.locally_owned_dofs(), relevant, get_communicator());
+    return FieldVector(pressure_dofs.locally_owned_dofs(),
+                       DoFTools::extract_locally_relevant_dofs(pressure_dofs), get_communicator());
   }
 
   template class FluidSpace<2>;

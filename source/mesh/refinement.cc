@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/refinement.h>
 
 #include <caudal/base/collective.h>
@@ -132,7 +133,7 @@ namespace caudal
         const std::string path    = "Refinement/Level expression";
         const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
         level_function->set_time(time);
-        run_on_all(triangulation.get_communicator(), [&]() {
+        run_on_all(compatibility::get_communicator(triangulation), [&]() {
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned())
             {
@@ -173,7 +174,7 @@ namespace caudal
               fine.push_back(get_family_indicator(cell));
           }
         constexpr double n_children   = GeometryInfo<dim>::max_children_per_cell;
-        const MPI_Comm   communicator = triangulation.get_communicator();
+        const MPI_Comm   communicator = compatibility::get_communicator(triangulation);
         const double     n_spare =
             1. * parameters.largest_number_of_cells - triangulation.n_global_active_cells();
         refinement_threshold =
@@ -207,7 +208,8 @@ namespace caudal
           cell->set_coarsen_flag();
         any_flag = any_flag || needs_refinement || may_coarsen;
       }
-    return Utilities::MPI::max(static_cast<int>(any_flag), triangulation.get_communicator()) > 0;
+    return Utilities::MPI::max(static_cast<int>(any_flag),
+                               compatibility::get_communicator(triangulation)) > 0;
   }
 
   template bool flag_cells(parallel::distributed::Triangulation<2> &, const CellLattice<2> &,

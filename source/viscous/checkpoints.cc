@@ -1,5 +1,6 @@
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/viscous/checkpoints.h>
 
 namespace caudal
@@ -31,7 +32,7 @@ namespace caudal
       , space(space)
       , adaptation(adaptation)
       , system(system)
-      , communicator(triangulation.get_communicator())
+      , communicator(compatibility::get_communicator(triangulation))
       , writer(parameters.checkpoint, communicator)
   {}
 

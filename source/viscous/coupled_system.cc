@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/viscous/coupled_system.h>
 
 #include <caudal/linear/conjugate_residuals.h>
@@ -206,7 +207,7 @@ namespace caudal
             sum_of_squares[d] += cell->center()[d] * cell->center()[d];
           }
         }
-      const MPI_Comm communicator = dofs.get_communicator();
+      const MPI_Comm communicator = compatibility::get_communicator(dofs);
       count                       = Utilities::MPI::sum(count, communicator);
       sum                         = Utilities::MPI::sum(sum, communicator) / count;
       sum_of_squares              = Utilities::MPI::sum(sum_of_squares, communicator) / count;

@@ -1,6 +1,5 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/viscous/grid_adaptation.h>
-
-#include <deal.II/distributed/solution_transfer.h>
 
 #include <cmath>
 
@@ -53,7 +52,7 @@ namespace caudal
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && (cell->refine_flag_set() || cell->coarsen_flag_set()))
         changes = 1;
-    return Utilities::MPI::max(changes, triangulation.get_communicator()) > 0;
+    return Utilities::MPI::max(changes, compatibility::get_communicator(triangulation)) > 0;
   }
 
   template <int dim>
@@ -89,7 +88,7 @@ namespace caudal
   template <int dim>
   void GridAdaptation<dim>::transfer(const double time, const double old_time)
   {
-    using Transfer = parallel::distributed::SolutionTransfer<dim, FieldVector>;
+    using Transfer = compatibility::SolutionTransfer<dim, FieldVector>;
     Transfer        velocity_transfer(space.velocity_dofs), pressure_transfer(space.pressure_dofs);
     FluidState<dim> old_state;
     old_state.velocity     = system.fluid.velocity;
