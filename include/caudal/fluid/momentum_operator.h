@@ -2,9 +2,8 @@
 #define caudal_fluid_momentum_operator_h
 
 #include <caudal/fluid/cellwise_matrix.h>
+#include <caudal/fluid/divergence_matrix.h>
 #include <caudal/fluid/fluid_space.h>
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 namespace caudal
 {
@@ -59,7 +58,7 @@ namespace caudal
       return matrix;
     }
     /** B, without the constrained velocities. */
-    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const
+    const DivergenceMatrix &get_divergence_matrix() const
     {
       return divergence_matrix;
     }
@@ -71,11 +70,11 @@ namespace caudal
     void apply_inverse_pressure_mass(FieldVector &vector) const;
 
   private:
-    const FluidSpace<dim>         &space;
-    CellwiseMatrix                 matrix;
-    TrilinosWrappers::SparseMatrix divergence_matrix;
-    MomentumWeights                constant_weights;
-    bool                           matrix_is_constant = false;
+    const FluidSpace<dim> &space;
+    CellwiseMatrix         matrix;
+    DivergenceMatrix       divergence_matrix;
+    MomentumWeights        constant_weights;
+    bool                   matrix_is_constant = false;
 
     class CellAssembler;
   };
