@@ -110,8 +110,9 @@ namespace caudal
           {
             const double *source = child_update + static_cast<std::size_t>(j) * n + begin;
             double       *sum    = &target[rows[begin]];
+            const int     length = end - begin;
 #pragma omp simd
-            for (int i = 0; i < end - begin; ++i)
+            for (int i = 0; i < length; ++i)
               sum[i] += source[i];
           }
         }
