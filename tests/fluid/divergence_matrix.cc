@@ -35,8 +35,7 @@ namespace
     DomainParameters<dim> domain;
     domain.cells  = std::vector<unsigned int>(dim, 2);
     domain.levels = 2;
-    FluidParameters<dim> fluid;
-    fluid.boundary_names.assign(2 * dim, "outflow");
+    const FluidParameters<dim>                fluid;
     parallel::distributed::Triangulation<dim> triangulation(MPI_COMM_WORLD);
     make_domain(triangulation, domain);
     for (const auto &cell : triangulation.active_cell_iterators())
