@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/ideal/surface.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -75,13 +76,9 @@ namespace caudal::ideal
 
   void SurfaceParameters::check() const
   {
-    const auto check_cells = [](const std::string &entry, const unsigned int value) {
-      AssertThrow(value <= 64,
-                  ExcMessage("Surface/" + entry + ": the value is " + std::to_string(value) +
-                             ". Give at most 64: the matrices are dense."));
-    };
-    check_cells("Cells along", n_along);
-    check_cells("Cells across", n_across);
+    const std::string remedy = "Give at most 64: the matrices are dense.";
+    check_value(n_along <= 64, "Surface/Cells along", n_along, remedy);
+    check_value(n_across <= 64, "Surface/Cells across", n_across, remedy);
   }
 
   Surface::Surface(const SurfaceParameters &parameters, const std::string &file)

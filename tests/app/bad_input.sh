@@ -90,14 +90,14 @@ refuse "overlapping bodies" two.prm
 refuse "a probe outside of the domain" good.prm -D "Fluid/Probes=1, 1; 1, 7"
 
 refuse "corners in the wrong order" good.prm -D "Body fish/Shape/Type=quadrilateral" \
-  -D "Body fish/Shape/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
+  -D "Body fish/Shape/Quadrilateral/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
 refuse "a control volume that does not hold the body" good.prm -D "Fluid/Control volume=0.1, 0.1; 2, 1.5"
 override "Body fish/Traction" "1"
 override "Body fish/Shape/Type" file
-refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \
+refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=no.msh" \
   -D "Body fish/Shape/Region boundaries="
 echo '$MeshFormat' >broken.msh
-refuse "a broken mesh" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=broken.msh" \
+refuse "a broken mesh" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=broken.msh" \
   -D "Body fish/Shape/Region boundaries="
 cat >square.msh <<'END'
 $MeshFormat
@@ -115,7 +115,7 @@ $Elements
 1 3 2 7 1 1 2 3 4
 $EndElements
 END
-refuse "a mesh with other regions" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=square.msh" \
+refuse "a mesh with other regions" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=square.msh" \
   -D "Body fish/Shape/Region boundaries="
 refuse "a force table that is not there" good.prm -D "Body fish/Muscle/Type=table" \
   -D "Body fish/Muscle/Table/File=no.txt"

@@ -87,9 +87,11 @@ subsection Body left
     end
   end
   subsection Controller
-    set Type           = heading
-    set Target heading = 0.5
-    set Heading gain   = 1
+    set Type = heading
+    subsection Heading
+      set Target heading = 0.5
+      set Heading gain   = 1
+    end
   end
 end
 subsection Body right
@@ -164,7 +166,9 @@ subsection Body eel
   subsection Gait
     set Type          = curvature
     set Start-up ramp = 0.2
-    set Curvature     = 2*s*sin(2*pi*(s-t))
+    subsection Curvature
+      set Function = 2*s*sin(2*pi*(s-t))
+    end
   end
 end
 subsection Coupling

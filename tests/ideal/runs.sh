@@ -14,11 +14,15 @@ subsection Surface
   set Cells along  = 3
   set Cells across = 2
 end
-subsection Shape
-  set Stations = 0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3
-end
-subsection Gait
-  set Frequency = 1
+subsection Body fish
+  subsection Shape
+    subsection Stations
+      set Table = 0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3
+    end
+  end
+  subsection Gait
+    set Frequency = 1
+  end
 end
 subsection Integration
   set Phases = 24
@@ -50,7 +54,7 @@ check "distance and strokes agree" "($(result fish "distance [cm]") / 2.2 / $str
 check "some power is not returned at once" "$(result fish "mean gross power [W]") > $(result fish "mean positive power [W]")"
 check "work of the joints is the energy's change" "($(column power fish/statistics.txt | tail -n 1))^2 < 1e-4"
 
-caudal fish.prm -D "Output/Folder=two" -D "Gait/Frequency=1, 2"
+caudal fish.prm -D "Output/Folder=two" -D "Body fish/Gait/Frequency=1, 2"
 ls two
 tail -n +2 two/summary.csv | awk -F, '{ printf "%.4f ", $7 / '"$stroke"' } END { print "" }'
 ratio() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } NR == 2 { first = $c } END { print $c / first }' OFMT=%.12g two/summary.csv; }
@@ -66,24 +70,24 @@ mpirun -np 2 "$CAUDAL" fish.prm -D "Output/Folder=brute2" -D "Integration/Method
   -D "Integration/Torques=false" -D "Time/Step=0.05" >/dev/null
 check "brute force on two ranks" "($(result brute2 "displacement a stroke [cm]") / $(result brute "displacement a stroke [cm]") - 1)^2 < 1e-16"
 
-caudal fish.prm -D "Output/Folder=heavy" -D "Integration/Torques=false" -D "Body/Density=2000"
+caudal fish.prm -D "Output/Folder=heavy" -D "Integration/Torques=false" -D "Body fish/Density=2000"
 check "a heavier body swims a different distance" "($(result heavy "displacement a stroke [cm]") / $stroke - 1)^2 > 1e-4"
-caudal fish.prm -D "Output/Folder=impulse" -D "Integration/Torques=false" -D "Body/Linear impulse=-1e-4, 0, 0"
+caudal fish.prm -D "Output/Folder=impulse" -D "Integration/Torques=false" -D "Body fish/Linear impulse=-1e-4, 0, 0"
 check "a pushed fish is faster" "$(result impulse "distance [cm]") > $(result fish "distance [cm]")"
-caudal fish.prm -D "Output/Folder=drag" -D "Integration/Torques=false" -D "Body/Linear impulse=-1e-4, 0, 0" \
-  -D "Resistance/Active=true" -D "Resistance/Drag coefficient=1" -D "Gait/Type=none"
-caudal fish.prm -D "Output/Folder=worked" -D "Body/Linear impulse=-1e-4, 0, 0" -D "Resistance/Active=true"
+caudal fish.prm -D "Output/Folder=drag" -D "Integration/Torques=false" -D "Body fish/Linear impulse=-1e-4, 0, 0" \
+  -D "Resistance/Active=true" -D "Resistance/Drag coefficient=1" -D "Body fish/Gait/Type=none"
+caudal fish.prm -D "Output/Folder=worked" -D "Body fish/Linear impulse=-1e-4, 0, 0" -D "Resistance/Active=true"
 grep -q "take several times as long" worked/log.txt && echo "the cost of torques of a pushed fish is told"
 check "its joints work more than it gets back" "$(result worked "mean positive power [W]") > $(result fish "mean positive power [W]")"
 check "resistance takes impulse" "$(column "x of linear impulse in body frame" drag/statistics.txt | tail -n 1) > -0.9e-4"
 
 awk 'BEGIN { for (k = 0; k <= 12; k++) { printf "%g", k / 10; for (i = 1; i <= 6; i++) printf " %g", 30 * sin(3.14159265 * k / 12) * sin(3.14159265 * (k / 6 - i / 7)); print "" } }' >control.txt
-caudal fish.prm -D "Output/Folder=control" -D "Integration/Torques=false" -D "Gait/Type=table" \
-  -D "Gait/Table/File=control.txt" -D "Gait/Table/Periodic=false" -D "Time/End time=1.2" -D "Time/First part=0"
+caudal fish.prm -D "Output/Folder=control" -D "Integration/Torques=false" -D "Body fish/Gait/Type=table" \
+  -D "Body fish/Gait/Table/File=control.txt" -D "Body fish/Gait/Table/Periodic=false" -D "Time/End time=1.2" -D "Time/First part=0"
 check "a C-start moves the fish" "$(result control "distance [cm]") > 0.1"
 
 for bias in 5 -5; do
-  caudal fish.prm -D "Output/Folder=bias$bias" -D "Integration/Torques=false" -D "Gait/Bias=$bias"
+  caudal fish.prm -D "Output/Folder=bias$bias" -D "Integration/Torques=false" -D "Body fish/Gait/Bias=$bias"
 done
 turn=$(result bias5 "turn a stroke [degrees]")
 check "a biased fish turns" "$turn < -5"
@@ -91,8 +95,29 @@ check "to the other side with the other bias" "($turn + $(result bias-5 "turn a 
 radius='radius of the circle (0: straight) [cm]'
 check "on a circle of the same size" "($(result bias5 "$radius") / $(result bias-5 "$radius") - 1)^2 < 0.01"
 
-caudal fish.prm -D "Output/Folder=still" -D "Integration/Torques=false" -D "Gait/Wave number=0"
+caudal fish.prm -D "Output/Folder=still" -D "Integration/Torques=false" -D "Body fish/Gait/Wave number=0"
 check "a reciprocal stroke does not swim" "$(result still "displacement a stroke [cm]") / $stroke < 1e-5"
+
+# The sections and entries of earlier versions, before bodies had names.
+cat >former.prm <<'PRM'
+include fish.prm
+subsection Shape
+  set Type          = stations
+  set Interpolation = limited
+end
+subsection Gait
+  set Type      = sine
+  set Amplitude = 20
+end
+subsection Body
+  set Density = 1100
+end
+PRM
+"$CAUDAL" --check former.prm | grep "is now called"
+caudal former.prm -D "Output/Folder=former" -D "Integration/Torques=false"
+caudal fish.prm -D "Output/Folder=present" -D "Integration/Torques=false" -D "Body fish/Density=1100" \
+  -D "Body fish/Gait/Type=sine" -D "Body fish/Gait/Sine/Amplitude=20"
+cmp former/statistics.txt present/statistics.txt && echo "former names of entries mean the same"
 
 "$CAUDAL" --print-parameters fish.prm | grep -q "set Cells across" && echo "its own parameters are printed"
 

@@ -22,21 +22,22 @@ double round_to(const double value, const double unit)
 }
 
 template <int dim>
-BodyGridParameters<dim> make_parameters(const Entries &entries)
+struct ShapeFromEntries : BodyGridParameters<dim>
 {
-  BodyGridParameters<dim> parameters;
-  set_entries(parameters, "Shape", entries);
-  return parameters;
-}
+  explicit ShapeFromEntries(const Entries &entries)
+  {
+    set_entries(*this, "Shape", entries);
+  }
+};
 
 template <int dim>
 void report(const std::string &name, const Entries &entries, const double volume)
 {
-  const auto         parameters = make_parameters<dim>(entries);
-  const unsigned int n_regions  = parameters.shape.type.get().get_region_entry() != ""
-                                      ? 2
-                                      : parameters.divisions.region_boundaries.size() + 1;
-  Triangulation<dim> tria;
+  const ShapeFromEntries<dim> parameters(entries);
+  const unsigned int          n_regions = parameters.shape.type.get().get_region_entry() != ""
+                                              ? 2
+                                              : parameters.divisions.region_boundaries.size() + 1;
+  Triangulation<dim>          tria;
   make_body_grid(tria, parameters, n_regions, "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
@@ -130,7 +131,7 @@ void print_error(const std::string &type, Entries entries, const unsigned int n_
 {
   entries["Type"] = type;
   Triangulation<dim> tria;
-  print_error([&]() { make_body_grid(tria, make_parameters<dim>(entries), n_regions, "Body x"); });
+  print_error([&]() { make_body_grid(tria, ShapeFromEntries<dim>(entries), n_regions, "Body x"); });
 }
 
 void print_bad_input()
@@ -184,7 +185,7 @@ int main()
                        {"Rotation", "90"},
                        {"Region boundaries", "0.3, 0.6"}};
   report<2>("parsed eel", eel, 0.0486);
-  const Point<2> placed = place_in_domain(make_parameters<2>(eel), Point<2>(0.5, 0.1));
+  const Point<2> placed = place_in_domain(ShapeFromEntries<2>(eel), Point<2>(0.5, 0.1));
   std::cout << "placed at " << round_to(placed[0], 1e-6) << ' ' << round_to(placed[1], 1e-6)
             << std::endl;
 
