@@ -9,9 +9,9 @@ namespace caudal
         "Volume errors of the interpolated motion add up: use a finer fluid grid, the kernel "
         "dirac, or Body/Region/Cell volume stabilisation.";
 
-    /** Measures one of the changes of a body's volume. */
+    /** The measure that tells one of the changes of a body's volume. */
     template <int dim>
-    typename Guard<dim>::BodyMeasure get(double DeformationSummary::*value)
+    typename Guard<dim>::BodyMeasure make_measure(double DeformationSummary::*value)
     {
       return [value](const Observation<dim> &, const BodyObservation<dim> &body) {
         return body.report.deformation.*value;
@@ -28,7 +28,7 @@ namespace caudal
                         "never. The body is incompressible: a change is an error of the coupling "
                         "[1].",
                         "the area change", "", hint},
-                       0.02, get<dim>(&DeformationSummary::volume_change), 10)
+                       0.02, make_measure<dim>(&DeformationSummary::volume_change), 10)
       {}
     };
 
@@ -41,7 +41,7 @@ namespace caudal
                         "Warn if the volume ratio J falls below this anywhere in a body; 0: never "
                         "[1].",
                         "the smallest J", "", hint},
-                       0.5, get<dim>(&DeformationSummary::smallest_jacobian), 20,
+                       0.5, make_measure<dim>(&DeformationSummary::smallest_jacobian), 20,
                        Guard<dim>::Side::below)
       {}
     };
@@ -53,7 +53,7 @@ namespace caudal
       LargestJacobian()
           : Guard<dim>({"Largest J", "Warn if J exceeds this anywhere in a body; 0: never [1].",
                         "the largest J", "", hint},
-                       2, get<dim>(&DeformationSummary::largest_jacobian), 30)
+                       2, make_measure<dim>(&DeformationSummary::largest_jacobian), 30)
       {}
     };
 
