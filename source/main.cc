@@ -3,12 +3,15 @@
 #include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/version.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <iostream>
 #include <malloc.h>
 #include <thread>
@@ -48,6 +51,21 @@ namespace
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
 #endif
+  }
+
+  /**
+   * Each rank has a core, for which the threads of a BLAS would compete: it uses one, unless the
+   * environment says otherwise. It has read the environment when it was loaded, so that it has to
+   * be told by its own function, which only that library has.
+   */
+  void use_one_blas_thread()
+  {
+    if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("MKL_NUM_THREADS") ||
+        std::getenv("OMP_NUM_THREADS"))
+      return;
+    for (const char *name : {"openblas_set_num_threads", "MKL_Set_Num_Threads"})
+      if (void *function = dlsym(RTLD_DEFAULT, name))
+        reinterpret_cast<void (*)(int)>(function)(1);
   }
 
   /** All ranks stop if one has got the signal. */
@@ -217,6 +235,7 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
+  use_one_blas_thread();
   Exit              exit  = failed;
   const std::string error = catch_error([&]() { exit = run(argc, argv); });
   if (!error.empty())

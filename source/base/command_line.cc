@@ -1,4 +1,5 @@
 #include <caudal/base/command_line.h>
+#include <caudal/base/version.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -113,10 +114,5 @@ namespace caudal
            "Exit codes: 0 finished, 1 error, 2 stopped on request (SIGINT, SIGTERM, SIGUSR1) or "
            "by\n"
            "Checkpoint/Wall time limit, with a checkpoint to resume from.\n";
-  }
-
-  std::string get_version()
-  {
-    return "Caudal " CAUDAL_VERSION;
   }
 } // namespace caudal

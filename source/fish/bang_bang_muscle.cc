@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/lateral_force.h>
 
 #include <algorithm>
@@ -55,21 +56,15 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        const auto bad = [&path](const std::string &entry, const double value) {
-          return path + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-        };
-        AssertThrow(maximum >= 0.,
-                    ExcMessage(bad("Maximum force density", maximum) +
-                               "Give a density that is not negative [N/m^3]; the initial "
-                               "direction sets the sign."));
-        AssertThrow(switching_position > 0.,
-                    ExcMessage(bad("Switching position", switching_position) +
-                               "Give a positive distance [m]."));
-        AssertThrow(switching_duration >= 0.,
-                    ExcMessage(bad("Switching duration", switching_duration) +
-                               "Give a duration that is not negative [s]."));
-        AssertThrow(initial_direction == 1 || initial_direction == -1,
-                    ExcMessage(bad("Initial direction", initial_direction) + "Give 1 or -1."));
+        check_not_negative(path + "/Maximum force density", maximum,
+                           "Give a density that is not negative [N/m^3]; the initial direction "
+                           "sets the sign.");
+        check_positive(path + "/Switching position", switching_position,
+                       "Give a positive distance [m].");
+        check_not_negative(path + "/Switching duration", switching_duration,
+                           "Give a duration that is not negative [s].");
+        check_value(std::abs(initial_direction) == 1, path + "/Initial direction",
+                    initial_direction, "Give 1 or -1.");
       }
 
       MuscleMemory get_initial_memory() const override

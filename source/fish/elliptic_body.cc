@@ -143,7 +143,7 @@ namespace caudal
             }
           }
     }
-    GridTools::invert_all_negative_measure_cells(vertices, cells);
+    GridTools::invert_cells_with_negative_measure(vertices, cells);
     GridTools::consistently_order_cells(cells);
     tria.create_triangulation(vertices, cells, SubCellData());
   }

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/gait.h>
 
 #include <algorithm>
@@ -181,25 +182,18 @@ namespace caudal
   void GaitParameters::check(const std::string &path) const
   {
     const std::string section = path + "/Gait";
-    const auto        bad     = [&section](const std::string &entry, const double value) {
-      return section + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-    };
-    AssertThrow(shared.ramp.duration >= 0., ExcMessage(bad("Start-up ramp", shared.ramp.duration) +
-                                                       "Give a duration that is not negative "
-                                                       "[s]."));
-    const std::pair<const char *, double> numbers[] = {
-        {"Wave number", shared.wave_number}, {"Bias", shared.bias}, {"Growth", shared.growth}};
-    for (const auto &[entry, value] : numbers)
-      AssertThrow(std::isfinite(value), ExcMessage(bad(entry, value) + "Give a finite number."));
-
+    check_not_negative(section + "/Start-up ramp", shared.ramp.duration,
+                       "Give a duration that is not negative [s].");
+    check_finite(section + "/Wave number", shared.wave_number);
+    check_finite(section + "/Bias", shared.bias);
+    check_finite(section + "/Growth", shared.growth);
     std::vector<double> sorted = shared.frequencies;
     AssertThrow(!sorted.empty(), ExcMessage(section + "/Frequency: the list is empty. Give one "
                                                       "frequency or more [Hz]."));
     for (const double frequency : sorted)
-      AssertThrow(std::isfinite(frequency) && frequency > 0.,
-                  ExcMessage(bad("Frequency", frequency) +
-                             "Give a positive frequency [Hz]; a body at rest or without joints "
-                             "has Gait/Type = none."));
+      check_positive(section + "/Frequency", frequency,
+                     "Give a positive frequency [Hz]; a body at rest or without joints has "
+                     "Gait/Type = none.");
     std::sort(sorted.begin(), sorted.end());
     AssertThrow(std::adjacent_find(sorted.begin(), sorted.end(),
                                    [](const double a, const double b) {

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/controller.h>
 
 #include <algorithm>
@@ -26,9 +27,7 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        AssertThrow(limit >= 0., ExcMessage(path + "/Largest bias: the value is " +
-                                            Patterns::Tools::to_string(limit) +
-                                            ". Give a limit that is not negative."));
+        check_not_negative(path + "/Largest bias", limit, "Give a limit that is not negative.");
       }
 
       MuscleCommand compute_command(const SwimmerState &state) const override

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/body_function.h>
 #include <caudal/fish/muscle.h>
 
@@ -128,15 +129,10 @@ namespace caudal
   void MuscleParameters<dim>::check(const std::string &path) const
   {
     const std::string section = path + "/Muscle";
-    const auto        bad     = [&section](const std::string &entry, const double value) {
-      return section + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-    };
-    AssertThrow(shared.monitored_point >= 0. && shared.monitored_point <= 1.,
-                ExcMessage(bad("Monitored point", shared.monitored_point) +
-                           "Give an arc length between 0 (nose) and 1 (tail)."));
-    AssertThrow(shared.ramp.duration >= 0., ExcMessage(bad("Start-up ramp", shared.ramp.duration) +
-                                                       "Give a duration that is not negative "
-                                                       "[s]."));
+    check_between(section + "/Monitored point", shared.monitored_point, 0., 1.,
+                  "Give an arc length between 0 (nose) and 1 (tail).");
+    check_not_negative(section + "/Start-up ramp", shared.ramp.duration,
+                       "Give a duration that is not negative [s].");
     BodyFunction(section + "/Force distribution", "s,y", shared.force_distribution).check_along();
     type.check(section);
   }

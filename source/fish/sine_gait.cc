@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/joint_gait.h>
 
 #include <cmath>
@@ -17,9 +18,7 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        AssertThrow(std::isfinite(amplitude),
-                    ExcMessage(path + "/Amplitude: the value is " +
-                               Patterns::Tools::to_string(amplitude) + ". Give a finite number."));
+        check_finite(path + "/Amplitude", amplitude);
       }
 
     protected:

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/controller.h>
 
 #include <algorithm>
@@ -20,9 +21,8 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        AssertThrow(limit >= 1., ExcMessage(path + "/Largest gain: the value is " +
-                                            Patterns::Tools::to_string(limit) +
-                                            ". Give at least 1, the gain without any error."));
+        check_value(limit >= 1., path + "/Largest gain", limit,
+                    "Give at least 1, the gain without any error.");
       }
 
       MuscleCommand compute_command(const SwimmerState &state) const override

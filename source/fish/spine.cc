@@ -114,7 +114,12 @@ namespace caudal
       : gait(gait)
       , points(points)
       , spine(gait, get_arc_lengths(points))
-  {}
+  {
+    const std::size_t n = gait.get_frequencies().size();
+    AssertThrow(n == 1, ExcMessage("Gait/Frequency: there are " + std::to_string(n) +
+                                   " values. Give one: only in an ideal fluid several are "
+                                   "simulated one after the other."));
+  }
 
   template <int dim>
   typename PrescribedMotion<dim>::State PrescribedMotion<dim>::compute(const double time) const

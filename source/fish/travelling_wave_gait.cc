@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/gait.h>
 
 #include <cmath>
@@ -28,12 +29,8 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        const auto bad = [&path](const std::string &entry, const double value) {
-          return path + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-        };
-        AssertThrow(offset > -1., ExcMessage(bad("Offset", offset) + "Give more than -1."));
-        AssertThrow(frequency > 0.,
-                    ExcMessage(bad("Frequency", frequency) + "Give a positive frequency [Hz]."));
+        check_value(offset > -1., path + "/Offset", offset, "Give more than -1.");
+        check_positive(path + "/Frequency", frequency, "Give a positive frequency [Hz].");
       }
 
       std::vector<double> get_frequencies() const override

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/fish/body_function.h>
 #include <caudal/fish/muscle.h>
 
@@ -39,14 +40,9 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
-        const auto bad = [&path](const std::string &entry, const double value) {
-          return path + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-        };
-        AssertThrow(frequency > 0.,
-                    ExcMessage(bad("Frequency", frequency) + "Give a positive frequency [Hz]."));
-        AssertThrow(half_thickness > 0.,
-                    ExcMessage(bad("Reference half thickness", half_thickness) +
-                               "Give a positive share of the body length."));
+        check_positive(path + "/Frequency", frequency, "Give a positive frequency [Hz].");
+        check_positive(path + "/Reference half thickness", half_thickness,
+                       "Give a positive share of the body length.");
         BodyFunction(path + "/Envelope", "s,t", envelope_text).check_along();
       }
 

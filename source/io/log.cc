@@ -1,6 +1,6 @@
 #include <caudal/io/log.h>
 
-#include <caudal/base/command_line.h>
+#include <caudal/base/version.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/exceptions.h>

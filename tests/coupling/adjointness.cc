@@ -2,6 +2,7 @@
 // adjointness of interpolation and spreading, the power identity, and the exact
 // interpolation of linear fields. The numbers must not depend on the ranks.
 
+#include <caudal/base/compatibility.h>
 #include <caudal/coupling/interaction_operator.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -115,9 +116,9 @@ namespace
       dof_handler.distribute_dofs(element);
       finest_cells = std::make_unique<FinestCells<dim>>(lattice, triangulation);
 
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+      constraints.copy_from(
+          compatibility::make_constraints(dof_handler.locally_owned_dofs(), relevant));
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       VectorTools::interpolate_boundary_values(dof_handler, 0, LinearField<dim>(), constraints);
       constraints.close();

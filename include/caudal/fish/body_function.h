@@ -12,6 +12,7 @@ namespace caudal
     /** @p variables are two names separated by ','; @p path is the entry that errors name. */
     BodyFunction(const std::string &path, const std::string &variables, const std::string &text);
 
+    using Expression<2>::value;
     double value(double first, double second) const;
 
     /** Throws unless it is finite at some places along the body. */

@@ -44,7 +44,7 @@ namespace caudal
 
     /**
      * The bodies and their regions, which decide what sections there are, are
-     * those that @p file names; without a file one body <name> with one region.
+     * those that @p file names; without a file one body `<name>` with one region.
      */
     explicit RunParameters(const ParameterFile *file);
 
