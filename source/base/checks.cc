@@ -1,9 +1,11 @@
 #include <caudal/base/checks.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/patterns.h>
 
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 using namespace dealii;
 
