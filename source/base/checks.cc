@@ -14,9 +14,12 @@ namespace caudal
   void check_value(const bool is_right, const std::string &path, const double value,
                    const std::string &remedy)
   {
-    AssertThrow(
-        is_right && std::isfinite(value),
-        ExcMessage(path + ": the value is " + Patterns::Tools::to_string(value) + ". " + remedy));
+    if (is_right && std::isfinite(value))
+      return;
+    std::ostringstream text;
+    text << std::setprecision(std::numeric_limits<double>::digits10) << path << ": the value is "
+         << value << ". " << remedy;
+    AssertThrow(false, ExcMessage(text.str()));
   }
 
   void check_finite(const std::string &path, const double value, const std::string &remedy)
