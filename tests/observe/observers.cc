@@ -37,7 +37,9 @@ namespace
     FlowSpeed()
         : Guard<dim>({"Largest speed", "Warn if the flow is faster; 0: never [m/s].", "the speed",
                       " m/s", "Slow down."},
-                     3)
+                     3, [](const Observation<dim> &observation, const ObserverContext<dim> &) {
+                       return observation.report.flow.largest_velocity;
+                     })
     {}
   };
 
