@@ -13,17 +13,14 @@ namespace caudal
     const double length = gait.get_length(), interval = length / n_intervals;
     for (unsigned int k = 0; k < n_intervals; ++k)
       add_piece(length * k / n_intervals, length * (k + 1) / n_intervals);
-    for (const double place : places)
+    for (const double s : places)
     {
-      const double s = std::clamp(place, 0., length);
       // The ends of an interval belong to it, not to the next one.
       intervals.push_back(std::clamp<int>(static_cast<int>(std::ceil(s / interval - 1e-9)) - 1, 0,
                                           n_intervals - 1));
       add_piece(intervals.back() * interval, s);
-      beyond.push_back(place - s);
     }
-    for (unsigned int p = 0; p < places.size(); ++p)
-      points.push_back(places[p] - beyond[p]);
+    points.insert(points.end(), places.begin(), places.end());
   }
 
   void Spine::add_piece(const double begin, const double end)
@@ -92,65 +89,7 @@ namespace caudal
       result.push_back(left_ends[intervals[p]]);
       integrate(result.back(), n_intervals + p);
       set_turn(result.back(), weights.size() + p);
-      advance(result.back(), beyond[p]);
     }
     return result;
   }
-
-  namespace
-  {
-    template <int dim>
-    std::vector<double> get_arc_lengths(const std::vector<Point<dim>> &points)
-    {
-      std::vector<double> s;
-      for (const Point<dim> &point : points)
-        s.push_back(point[0]);
-      return s;
-    }
-  } // namespace
-
-  template <int dim>
-  PrescribedMotion<dim>::PrescribedMotion(const Gait &gait, const std::vector<Point<dim>> &points)
-      : gait(gait)
-      , points(points)
-      , spine(gait, get_arc_lengths(points))
-  {
-    const std::size_t n = gait.get_frequencies().size();
-    AssertThrow(n == 1, ExcMessage("Gait/Frequency: there are " + std::to_string(n) +
-                                   " values. Give one: only in an ideal fluid several are "
-                                   "simulated one after the other."));
-  }
-
-  template <int dim>
-  typename PrescribedMotion<dim>::State PrescribedMotion<dim>::compute(const double time) const
-  {
-    AssertThrow(time <= gait.get_end() * (1. + 1e-9),
-                ExcMessage("Gait: its table ends after " + std::to_string(gait.get_end()) +
-                           " s, before the time " + std::to_string(time) +
-                           " s. Lengthen the table, shorten the run, or set "
-                           "Gait/Table/Periodic."));
-    const double rate  = gait.get_argument_rate(gait.get_frequencies()[0]);
-    GaitState    state = gait.evaluate(rate * time);
-    State        motion;
-    const auto   bent = spine.bend(state.c);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      const double y        = points[p][1];
-      Tensor<1, 2> position = bent[p].position + y * bent[p].get_normal(), velocity;
-      for (std::size_t i = 0; i < state.c.size(); ++i)
-        velocity += rate * state.rates[i] *
-                    (bent[p].position_by_c[i] - y * bent[p].turn_by_c[i] * bent[p].tangent);
-      motion.positions.push_back(points[p]);
-      motion.velocities.emplace_back();
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        motion.positions[p][d]  = position[d];
-        motion.velocities[p][d] = velocity[d];
-      }
-    }
-    return motion;
-  }
-
-  template class PrescribedMotion<2>;
-  template class PrescribedMotion<3>;
 } // namespace caudal

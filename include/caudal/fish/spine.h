@@ -42,7 +42,7 @@ namespace caudal
   public:
     static constexpr unsigned int n_intervals = 112;
 
-    /** @p places are arc lengths [m]; beyond its ends the spine goes on straight. */
+    /** @p places are arc lengths [m]. The gait has to outlive the object. */
     Spine(const Gait &gait, const std::vector<double> &places);
 
     /** The spine for the coordinates @p c of the gait; with their @p rates also the rates. */
@@ -61,36 +61,6 @@ namespace caudal
     std::vector<double> weights; // of the quadrature points [m]
 
     std::vector<unsigned int> intervals; // that the places are in
-    std::vector<double>       beyond;    // how far they are beyond an end [m]
-  };
-
-  /**
-   * The motion that a gait prescribes to points of the body, up to a rigid one: the body finds
-   * its own place and direction from the balance of its momenta.
-   */
-  template <int dim>
-  class PrescribedMotion
-  {
-  public:
-    struct State
-    {
-      std::vector<Point<dim>>     positions;  ///< X(s) [m]
-      std::vector<Tensor<1, dim>> velocities; ///< dX/dt(s) [m/s]
-    };
-
-    /**
-     * @p points s of the reference shape [m] in the body frame: origin at the nose, x towards
-     * the tail, y lateral. The gait has to outlive the object.
-     */
-    PrescribedMotion(const Gait &gait, const std::vector<Point<dim>> &points);
-
-    /** In the body frame at @p time [s]. */
-    State compute(double time) const;
-
-  private:
-    const Gait                   &gait;
-    const std::vector<Point<dim>> points;
-    const Spine                   spine;
   };
 } // namespace caudal
 

@@ -2,7 +2,7 @@
 #define caudal_solid_load_h
 
 #include <caudal/fish/muscle.h>
-#include <caudal/fish/spine.h>
+#include <caudal/fish/prescribed_motion.h>
 #include <caudal/solid/solid_body.h>
 
 namespace caudal
