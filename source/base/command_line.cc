@@ -97,7 +97,7 @@ namespace caudal
            "                              check the case; show its size, how it is resolved, what "
            "it\n"
            "                              will cost (from four steps, not with --fast), and "
-           "doubts\n"
+           "warnings\n"
            "  caudal --print-parameters [prm|md] [file.prm]\n"
            "                              show all parameters (those of the case) with their\n"
            "                              defaults, as a parameter file or as Markdown\n"

@@ -229,7 +229,7 @@ namespace
     for (auto &region : setup.parameters.region_parameters)
     {
       region->cell_volume_stabilisation         = 7;
-      region->material.material                 = "none";
+      region->material.material.set_name("none");
       region->material.volumetric_stabilisation = 0;
     }
     const SolidBody<dim> body(setup.parameters, 1.);
