@@ -228,7 +228,7 @@ namespace
     Setup<dim> setup;
     for (auto &region : setup.parameters.region_parameters)
     {
-      region->cell_volume_stabilisation         = 7;
+      region->cell_volume_stabilisation = 7;
       region->material.material.set_name("none");
       region->material.volumetric_stabilisation = 0;
     }
