@@ -92,5 +92,5 @@ verify "an elastic disc in a flow" disc.prm -D "Time/End time=10"
 verify "the fish" fish.prm -D "Time/End time=10"
 verify "a school" school.prm -D "Time/End time=10"
 
-verify "the salmon" salmon.prm -D "Body/Linear impulse=0, 0, 0" -D "Integration/Torques=true"
-verify "the salmon, brute force" salmon.prm -D "Integration/Method=brute force" -D "Resistance/Active=true"
+verify "the salmon" salmon.prm -D "Time/End time=1.2" -D "Body/Linear impulse=0, 0, 0" -D "Integration/Torques=true"
+verify "the salmon, brute force" salmon.prm -D "Time/End time=1.2" -D "Integration/Method=brute force" -D "Resistance/Active=true"
