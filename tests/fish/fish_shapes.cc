@@ -74,7 +74,7 @@ void report(const std::string &name, Entries entries, const std::string &element
   const Size   size(*body);
   const double exact = dim == 2 ? size.area : size.volume;
   std::cout << name << ", " << dim << "D: " << tria.n_active_cells() << " cells, Jacobian "
-            << (compute_min_scaled_jacobian(tria) > 0.05 ? "ok" : "bad") << ", volume off by "
+            << (compute_min_scaled_jacobian(tria) > 0.005 ? "ok" : "bad") << ", volume off by "
             << std::round(1e4 * (GridTools::volume(tria) / exact - 1.)) / 1e2
             << " %, nodes on the surface " << (compute_distance(tria, *body) < 1e-9 ? "ok" : "bad")
             << std::endl;
