@@ -353,6 +353,16 @@ namespace caudal
     return sentences;
   }
 
+  std::vector<std::string> ParameterFile::get_remarks(const ParameterHandler &prm) const
+  {
+    std::vector<std::string> remarks;
+    for (const std::string &hint : hints)
+      remarks.push_back("Note: " + hint);
+    for (const std::string &sentence : find_idle_entries(prm))
+      remarks.push_back("Warning: " + sentence);
+    return remarks;
+  }
+
   void ParameterFile::read(const std::string &file, const std::string &included_from,
                            Sections sections, std::set<std::string> &open_files)
   {

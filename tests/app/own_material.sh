@@ -24,13 +24,13 @@ bend() {
       w += 0.95 / n * (1 - x) * 1000 * 0.02 * h * (1 - x)^2 / 2 /
            (4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12)
     }
-    printf "tip %.1f mm, over the theory %.2f\n", 1e3 * sunk, -sunk / w }'
+    printf "mu = %g Pa at the tip: it sinks by %.1f of the theory\n", tip, -sunk / w }'
 }
 bend 3e5
 bend 1e5
 
 deny() {
-  "$CAUDAL" --check beam.prm -D "$1" 2>&1 | sed -n "/^Error/ s| (.*)| (...)|p"
+  "$CAUDAL" --check beam.prm -D "$1" 2>&1 | sed -n "/^Error/ { s| (.*)| (...)|; p }"
 }
 deny "Body beam/Region beam/Graded neo-Hookean/Length=-1"
 deny "Libraries="

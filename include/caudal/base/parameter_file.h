@@ -75,6 +75,9 @@ namespace caudal
      */
     std::vector<std::string> find_idle_entries(const ParameterHandler &prm) const;
 
+    /** The hints of rename() and the warnings of find_idle_entries(), a line of the log each. */
+    std::vector<std::string> get_remarks(const ParameterHandler &prm) const;
+
     /** The overrides, as they were given. */
     const std::vector<std::string> &get_overrides() const
     {
