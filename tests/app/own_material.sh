@@ -21,10 +21,11 @@ bend() {
     {
       x  = 0.05 + 0.95 * (i + 0.5) / n
       mu = 1e5 + (tip - 1e5) * x
-      w += 0.95 / n * (1 - x) * 1000 * 0.02 * h * (1 - x)^2 / 2 /
-           (4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12)
+      moment    = 1000 * 0.02 * h * (1 - x)^2 / 2
+      stiffness = 4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12
+      w += 0.95 / n * (1 - x) * moment / stiffness
     }
-    printf "mu = %g Pa at the tip: it sinks by %.1f of the theory\n", tip, -sunk / w }'
+    printf "mu = %g Pa at the tip: it sinks by %.2f of the theory\n", tip, -sunk / w }'
 }
 bend 3e5
 bend 1e5

@@ -71,7 +71,8 @@ namespace caudal
 
     /**
      * Sentences about the entries that have been set for plug-ins which @p prm, after parse(), does
-     * not choose, to other than their default values.
+     * not choose, to other than their default values. It is right if a file sets them together with
+     * its choice, and one that includes it chooses something else.
      */
     std::vector<std::string> find_idle_entries(const ParameterHandler &prm) const;
 
@@ -108,6 +109,9 @@ namespace caudal
 
     void rename(Assignment &assignment, const RenamedEntry &renamed,
                 const std::vector<Assignment> &original);
+    /** Whether the file of the assignment sets the entry @p path to @p value. */
+    bool is_set_beside(const Assignment &assignment, const std::string &path,
+                       const std::string &value) const;
     /** Gives the value to @p prm; returns what is wrong, or nothing. */
     std::string find_problem(const Assignment &assignment, const DeclaredSection &declared,
                              ParameterHandler &prm) const;
