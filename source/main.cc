@@ -141,12 +141,15 @@ namespace
     file.parse(prm);
     parameters.check();
     figures.check();
+    const std::vector<std::string> remarks = file.get_remarks(prm);
 
     // What can be wrong with the case is found before anything is written.
     ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
     if (command_line.action == Action::check)
     {
       std::ostringstream summary;
+      for (const std::string &remark : remarks)
+        summary << remark << '\n';
       body.print_summary(summary);
       print(summary.str() + "No problems found.\n");
       return finished;
@@ -159,6 +162,8 @@ namespace
     if (figures.are_printed())
       log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
+    for (const std::string &remark : remarks)
+      log << remark << std::endl;
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
     const Outcome outcome = body.run(folder, log, stop_requested);

@@ -18,11 +18,8 @@ namespace caudal
     file.parse(prm);
     parameters.check();
     figures.check();
-    for (const std::string &hint : file.get_hints())
-      remarks.push_back("Note: " + hint);
-    for (const std::string &sentence : file.find_idle_entries(prm))
-      remarks.push_back("Warning: " + sentence);
-    values = extract_values(prm);
+    remarks = file.get_remarks(prm);
+    values  = extract_values(prm);
     std::ostringstream out;
     prm.print_parameters(out, ParameterHandler::PRM);
     text = out.str();

@@ -157,19 +157,20 @@ namespace caudal
     }
 
     /**
-     * Whether the section @p name within @p outer holds the parameters of a plug-in that the entry
-     * @p choice could have chosen.
+     * The plug-in that the entry @p choice can choose and whose parameters stand in the section
+     * @p name within @p outer; empty if there is none.
      */
-    bool is_idle(const std::string &name, const DeclaredSection &outer, const DeclaredEntry &choice)
+    std::string find_plugin(const std::string &name, const DeclaredSection &outer,
+                            const DeclaredEntry &choice)
     {
       const auto &plugins   = choice.choices;
       const bool  is_prefix = std::any_of(plugins.begin(), plugins.end(), [&](const auto &plugin) {
         return outer.find_section(get_plugin_section(choice.name + " " + plugin)) != nullptr;
       });
-      const auto  belongs   = [&](const std::string &plugin) {
+      const auto  found     = std::find_if(plugins.begin(), plugins.end(), [&](const auto &plugin) {
         return name == get_plugin_section(is_prefix ? choice.name + " " + plugin : plugin);
-      };
-      return !belongs(choice.value) && std::any_of(plugins.begin(), plugins.end(), belongs);
+      });
+      return found == plugins.end() ? "" : *found;
     }
 
     /** Sets an entry that is known to be declared. Returns what is wrong, or nothing. */
@@ -344,13 +345,39 @@ namespace caudal
         const Sections outer(assignment.sections.begin(), assignment.sections.begin() + depth);
         const DeclaredSection &around = *find_section(declared, outer);
         for (const DeclaredEntry &choice : around.entries)
-          if (is_idle(assignment.sections[depth], around, choice))
+        {
+          const std::string plugin = find_plugin(assignment.sections[depth], around, choice);
+          if (!plugin.empty() && plugin != choice.value &&
+              !is_set_beside(assignment, caudal::get_path(outer, choice.name), plugin))
             sentences.push_back(assignment.origin + ": <" + get_path(assignment) +
                                 "> has no effect, since <" + caudal::get_path(outer, choice.name) +
                                 "> is <" + choice.value + ">.");
+        }
       }
     }
     return sentences;
+  }
+
+  bool ParameterFile::is_set_beside(const Assignment &assignment, const std::string &path,
+                                    const std::string &value) const
+  {
+    const auto get_file = [](const Assignment &one) {
+      return one.origin.substr(0, one.origin.rfind(':'));
+    };
+    return std::any_of(assignments.begin(), assignments.end(), [&](const Assignment &other) {
+      return get_path(other) == path && other.value == value &&
+             get_file(other) == get_file(assignment);
+    });
+  }
+
+  std::vector<std::string> ParameterFile::get_remarks(const ParameterHandler &prm) const
+  {
+    std::vector<std::string> remarks;
+    for (const std::string &hint : hints)
+      remarks.push_back("Note: " + hint);
+    for (const std::string &sentence : find_idle_entries(prm))
+      remarks.push_back("Warning: " + sentence);
+    return remarks;
   }
 
   void ParameterFile::read(const std::string &file, const std::string &included_from,

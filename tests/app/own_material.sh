@@ -25,13 +25,13 @@ bend() {
       stiffness = 4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12
       w += 0.95 / n * (1 - x) * moment / stiffness
     }
-    printf "tip %.1f mm, over the theory %.2f\n", 1e3 * sunk, -sunk / w }'
+    printf "mu = %g Pa at the tip: it sinks by %.2f of the theory\n", tip, -sunk / w }'
 }
 bend 3e5
 bend 1e5
 
 deny() {
-  "$CAUDAL" --check beam.prm -D "$1" 2>&1 | sed -n "/^Error/ s| (.*)| (...)|p"
+  "$CAUDAL" --check beam.prm -D "$1" 2>&1 | sed -n "/^Error/ { s| (.*)| (...)|; p }"
 }
 deny "Body beam/Region beam/Graded neo-Hookean/Length=-1"
 deny "Libraries="

@@ -94,6 +94,9 @@ int main()
   run("set left = square\nsubsection Left square\n  set Edge = 3\nend\n"
       "subsection Left round disc\n  set Edge = 1\nend\n");
   run("subsection Round disc\n  set Edge = 2\nend\n");
+  std::ofstream("square.prm") << "set Type = square\nsubsection Square\n  set Edge = 3\nend\n";
+  run("include square.prm\nset Type = none\n");
+  run("include square.prm\nset Type = none\nsubsection Square\n  set Edge = 4\nend\n");
   run("set Type = triangle\n");
   run("subsection Square\n  set Edge = -3\nend\n");
   run("subsection None\nend\n");

@@ -71,9 +71,13 @@ namespace caudal
 
     /**
      * Sentences about the entries that have been set for plug-ins which @p prm, after parse(), does
-     * not choose, to other than their default values.
+     * not choose, to other than their default values. It is right if a file sets them together with
+     * its choice, and one that includes it chooses something else.
      */
     std::vector<std::string> find_idle_entries(const ParameterHandler &prm) const;
+
+    /** The hints of rename() and the warnings of find_idle_entries(), a line of the log each. */
+    std::vector<std::string> get_remarks(const ParameterHandler &prm) const;
 
     /** The overrides, as they were given. */
     const std::vector<std::string> &get_overrides() const
@@ -105,6 +109,9 @@ namespace caudal
 
     void rename(Assignment &assignment, const RenamedEntry &renamed,
                 const std::vector<Assignment> &original);
+    /** Whether the file of the assignment sets the entry @p path to @p value. */
+    bool is_set_beside(const Assignment &assignment, const std::string &path,
+                       const std::string &value) const;
     /** Gives the value to @p prm; returns what is wrong, or nothing. */
     std::string find_problem(const Assignment &assignment, const DeclaredSection &declared,
                              ParameterHandler &prm) const;

@@ -69,7 +69,7 @@ namespace caudal
     /** In alphabetical order, as the parameters are declared, whoever registers first. */
     static const std::map<std::string, Member> &get_members()
     {
-      return members();
+      return members().by_name;
     }
 
     /** @p documentation is a part of a sentence, without a full stop. */
@@ -80,7 +80,7 @@ namespace caudal
                           [](const Base &other) {
                             return std::make_unique<Derived>(dynamic_cast<const Derived &>(other));
                           }};
-      if (!members().emplace(name, member).second)
+      if (!members().by_name.emplace(name, member).second)
         report_second_plugin(name);
     }
 
@@ -88,16 +88,22 @@ namespace caudal
     static std::string get_names(const std::string &separator)
     {
       std::string names;
-      for (const auto &member : members())
+      for (const auto &member : members().by_name)
         names += (names.empty() ? "" : separator) + member.first;
       return names;
     }
 
   private:
-    static std::map<std::string, Member> &members()
+    /** A type of its own, so that gcc and clang give the one object the same name. */
+    struct Members
     {
-      static std::map<std::string, Member> map;
-      return map;
+      std::map<std::string, Member> by_name;
+    };
+
+    static Members &members()
+    {
+      static Members instance;
+      return instance;
     }
   };
 
