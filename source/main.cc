@@ -3,12 +3,15 @@
 #include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/version.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <iostream>
 #include <malloc.h>
 #include <thread>
@@ -48,6 +51,21 @@ namespace
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
 #endif
+  }
+
+  /**
+   * Each rank has a core, for which the threads of a BLAS would compete: it uses one, unless the
+   * environment says otherwise. It has read the environment when it was loaded, so that it has to
+   * be told by its own function, which only that library has.
+   */
+  void use_one_blas_thread()
+  {
+    if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("MKL_NUM_THREADS") ||
+        std::getenv("OMP_NUM_THREADS"))
+      return;
+    for (const char *name : {"openblas_set_num_threads", "MKL_Set_Num_Threads"})
+      if (void *function = dlsym(RTLD_DEFAULT, name))
+        reinterpret_cast<void (*)(int)>(function)(1);
   }
 
   /** All ranks stop if one has got the signal. */
@@ -117,9 +135,12 @@ namespace
                 ExcMessage("Model: runs of the model " + parameters.model +
                            " write no checkpoints. Start the run anew."));
     ParameterHandler prm;
+    FigureParameters figures;
     parameters.declare(prm);
+    figures.add_parameters(prm);
     file.parse(prm);
     parameters.check();
+    figures.check();
 
     // What can be wrong with the case is found before anything is written.
     ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
@@ -135,10 +156,15 @@ namespace
     prm.print_parameters(used_parameters, ParameterHandler::PRM);
     folder.write_parameters(used_parameters.str());
     Log log(folder.path("log.txt"), MPI_COMM_WORLD);
+    if (figures.are_printed())
+      log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
-    return get_exit(body.run(folder, log, stop_requested));
+    const Outcome outcome = body.run(folder, log, stop_requested);
+    if (outcome == Outcome::finished)
+      print_figures(figures, parameters.output.folder, MPI_COMM_WORLD);
+    return get_exit(outcome);
   }
 
   /** The parameters of the run in a folder of results, with overrides. */
@@ -159,6 +185,7 @@ namespace
   {
     ParameterHandler prm;
     parameters.declare(prm);
+    FigureParameters().add_parameters(prm);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       print_parameters(std::cout, prm, format);
     return finished;
@@ -208,6 +235,7 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
+  use_one_blas_thread();
   Exit              exit  = failed;
   const std::string error = catch_error([&]() { exit = run(argc, argv); });
   if (!error.empty())

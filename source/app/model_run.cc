@@ -14,8 +14,10 @@ namespace caudal
   {
     ParameterHandler prm;
     parameters.declare(prm);
+    figures.add_parameters(prm);
     file.parse(prm);
     parameters.check();
+    figures.check();
     for (const std::string &hint : file.get_hints())
       remarks.push_back("Note: " + hint);
     for (const std::string &sentence : file.find_idle_entries(prm))
@@ -78,11 +80,16 @@ namespace caudal
     const OutputFolder folder(parameters.output.folder, communicator, start);
     folder.write_parameters(text);
     Log log(folder.path("log.txt"), communicator, start == OutputFolder::Start::resume);
+    if (figures.are_printed())
+      log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
     for (const std::string &message : messages)
       log << message << std::endl;
     swimmer.set_parameter_values(values);
-    return swimmer.run(folder, log, stop_requested);
+    const Outcome outcome = swimmer.run(folder, log, stop_requested);
+    if (outcome == Outcome::finished)
+      print_figures(figures, parameters.output.folder, communicator);
+    return outcome;
   }
 
   template class ModelRun<ImmersedSwimmer<2>>;

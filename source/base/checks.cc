@@ -1,9 +1,11 @@
 #include <caudal/base/checks.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/patterns.h>
 
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 using namespace dealii;
 
@@ -12,9 +14,12 @@ namespace caudal
   void check_value(const bool is_right, const std::string &path, const double value,
                    const std::string &remedy)
   {
-    AssertThrow(
-        is_right && std::isfinite(value),
-        ExcMessage(path + ": the value is " + Patterns::Tools::to_string(value) + ". " + remedy));
+    if (is_right && std::isfinite(value))
+      return;
+    std::ostringstream text;
+    text << std::setprecision(std::numeric_limits<double>::digits10) << path << ": the value is "
+         << value << ". " << remedy;
+    AssertThrow(false, ExcMessage(text.str()));
   }
 
   void check_finite(const std::string &path, const double value, const std::string &remedy)

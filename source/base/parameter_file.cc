@@ -131,14 +131,18 @@ namespace caudal
       return Utilities::split_string_list(path, '/').size();
     }
 
-    /** Whether something within the section @p path was renamed. */
+    /**
+     * Whether something within the section @p sections was renamed. A section of a body, whose
+     * name is the user's, is not one of a former version.
+     */
     bool holds_former_names(const std::vector<std::string> &sections, const RenamedEntry &renamed)
     {
       std::vector<std::string> outer = Utilities::split_string_list(renamed.old_path, '/');
       if (outer.size() <= sections.size())
         return false;
       outer.resize(sections.size());
-      return std::regex_match(join(sections, "/"), make_pattern(join(outer, "/")));
+      return outer.back().find('*') == std::string::npos &&
+             std::regex_match(join(sections, "/"), make_pattern(join(outer, "/")));
     }
 
     /** The declared section of that path, or nullptr. */
@@ -152,15 +156,20 @@ namespace caudal
       return found;
     }
 
-    /** Whether @p section holds the parameters of a plug-in that @p choice could have chosen. */
-    bool is_idle(const std::string &section, const DeclaredEntry &choice)
+    /**
+     * Whether the section @p name within @p outer holds the parameters of a plug-in that the entry
+     * @p choice could have chosen.
+     */
+    bool is_idle(const std::string &name, const DeclaredSection &outer, const DeclaredEntry &choice)
     {
-      const auto belongs = [&](const std::string &name) {
-        return section == get_plugin_section(name) ||
-               section == get_plugin_section(choice.name + " " + name);
+      const auto &plugins   = choice.choices;
+      const bool  is_prefix = std::any_of(plugins.begin(), plugins.end(), [&](const auto &plugin) {
+        return outer.find_section(get_plugin_section(choice.name + " " + plugin)) != nullptr;
+      });
+      const auto  belongs   = [&](const std::string &plugin) {
+        return name == get_plugin_section(is_prefix ? choice.name + " " + plugin : plugin);
       };
-      return !belongs(choice.value) &&
-             std::any_of(choice.choices.begin(), choice.choices.end(), belongs);
+      return !belongs(choice.value) && std::any_of(plugins.begin(), plugins.end(), belongs);
     }
 
     /** Sets an entry that is known to be declared. Returns what is wrong, or nothing. */
@@ -333,8 +342,9 @@ namespace caudal
       for (std::size_t depth = 0; depth < assignment.sections.size(); ++depth)
       {
         const Sections outer(assignment.sections.begin(), assignment.sections.begin() + depth);
-        for (const DeclaredEntry &choice : find_section(declared, outer)->entries)
-          if (is_idle(assignment.sections[depth], choice))
+        const DeclaredSection &around = *find_section(declared, outer);
+        for (const DeclaredEntry &choice : around.entries)
+          if (is_idle(assignment.sections[depth], around, choice))
             sentences.push_back(assignment.origin + ": <" + get_path(assignment) +
                                 "> has no effect, since <" + caudal::get_path(outer, choice.name) +
                                 "> is <" + choice.value + ">.");

@@ -83,7 +83,7 @@ namespace caudal
       void add_cell(const std::vector<unsigned int> &corners, const types::material_id region)
       {
         cells.emplace_back();
-        cells.back().vertices    = corners;
+        std::copy(corners.begin(), corners.end(), cells.back().vertices.begin());
         cells.back().material_id = region;
       }
 

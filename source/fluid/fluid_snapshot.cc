@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_snapshot.h>
 
 #include <deal.II/grid/cell_id.h>
@@ -113,7 +114,7 @@ namespace caudal
           cell->set_refine_flag();
           refines = 1;
         }
-      if (Utilities::MPI::max(refines, triangulation.get_communicator()) == 0)
+      if (Utilities::MPI::max(refines, compatibility::get_communicator(triangulation)) == 0)
         break;
       check_fit(level + 1 < domain.levels);
       triangulation.execute_coarsening_and_refinement();

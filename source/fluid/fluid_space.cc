@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_space.h>
 
 #include <caudal/base/collective.h>
@@ -39,12 +40,9 @@ namespace caudal
     constraints_time.reset();
     for (auto [dofs, layout] : {std::make_pair(&velocity_dofs, &velocity_layout),
                                 std::make_pair(&pressure_dofs, &pressure_layout)})
-    {
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(*dofs, relevant);
-      *layout = std::make_shared<Utilities::MPI::Partitioner>(dofs->locally_owned_dofs(), relevant,
-                                                              get_communicator());
-    }
+      *layout = std::make_shared<Utilities::MPI::Partitioner>(
+          dofs->locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(*dofs),
+          get_communicator());
   }
 
   template <int dim>
@@ -65,9 +63,8 @@ namespace caudal
   AffineConstraints<double> FluidSpace<dim>::make_constraints(const double time,
                                                               const bool   homogeneous) const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    AffineConstraints<double> result(relevant);
+    AffineConstraints<double> result = compatibility::make_constraints(
+        velocity_dofs.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(velocity_dofs));
     DoFTools::make_hanging_node_constraints(velocity_dofs, result);
 
     std::vector<unsigned int> sides(boundary_conditions.size());

@@ -39,28 +39,6 @@ namespace caudal
   }
 
   template <int dim>
-  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity)
-  {
-    const FESystem<dim> &element = space.velocity_element;
-    const unsigned int   n = element.n_dofs_per_cell(), n_s = n / dim;
-    Vector<double>       values(n), scalar(n_s);
-    double               square = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell->get_dof_values(velocity, values);
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          for (unsigned int s = 0; s < n_s; ++s)
-            scalar[s] = values[element.component_to_system_index(d, s)];
-          square += space.get_cell_matrices(cell->level()).get_mass().matrix_norm_square(scalar);
-        }
-      }
-    return 0.5 * space.get_parameters().density *
-           Utilities::MPI::sum(square, space.get_communicator());
-  }
-
-  template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity)
   {
     const FESystem<dim>        &element    = space.velocity_element;
@@ -247,7 +225,6 @@ namespace caudal
   template struct FluidState<dim>;                                                                 \
   template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);      \
   template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
-  template double           compute_kinetic_energy(const FluidSpace<dim> &, const FieldVector &);  \
   template double compute_stabilisation_dissipation(const FluidSpace<dim> &, const FieldVector &,  \
                                                     double);                                       \
   template ProbeValues<dim> evaluate_at(const FluidSpace<dim> &, const FluidState<dim> &,          \

@@ -1,5 +1,6 @@
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/io/field_output.h>
 #include <caudal/io/safe_file.h>
 
@@ -70,7 +71,7 @@ namespace caudal
       flags.time                = time;
       flags.cycle               = counter;
       flags.print_date_and_time = false; // equal runs give equal files
-      flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+      flags.compression_level   = decltype(flags.compression_level)::best_speed;
       data_out.set_flags(flags);
       std::ostringstream text;
       data_out.write_vtu(text);
@@ -95,8 +96,8 @@ namespace caudal
       data_out.write_filtered_data(filter);
       data_out.write_hdf5_parallel(filter, folder + "/" + file, communicator);
 
-      std::string entry = data_out.create_xdmf_entry(filter, file, time, communicator)
-                              .get_xdmf_content(0, ReferenceCells::get_hypercube<dim>());
+      std::string entry = compatibility::get_xdmf_content<dim>(
+          data_out.create_xdmf_entry(filter, file, time, communicator));
       if (const auto position = entry.find("\"mesh\""); position != std::string::npos)
         entry.replace(position, 6, "\"" + name + "\""); // the block's name
       return entry;
@@ -128,6 +129,11 @@ namespace caudal
     AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
     check_not_negative("Output/Interval of fields", field_interval,
                        "Give a positive time [s], or 0 for every step.");
+#ifndef DEAL_II_WITH_HDF5
+    AssertThrow(format != "hdf5",
+                ExcMessage("Output/Format: the deal.II of this program was built without HDF5, "
+                           "so that it can't write hdf5. Choose vtu."));
+#endif
   }
 
   FieldFormat OutputParameters::get_format() const

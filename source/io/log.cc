@@ -1,6 +1,6 @@
 #include <caudal/io/log.h>
 
-#include <caudal/base/command_line.h>
+#include <caudal/base/version.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/exceptions.h>
@@ -57,7 +57,15 @@ namespace caudal
     }
   } // namespace
 
-  /** Doubles the characters to the terminal and to the file. */
+  /** What the terminal gets of the text. */
+  enum class Shown
+  {
+    all,
+    warnings,
+    nothing
+  };
+
+  /** Writes to the file and, what is to be shown, to the terminal. */
   class Log::Buffer : public std::streambuf
   {
   public:
@@ -67,12 +75,23 @@ namespace caudal
         , clears_line(is_terminal())
     {}
 
+    Shown shown = Shown::all;
+
   private:
     int_type overflow(const int_type character) override
     {
       if (traits_type::eq_int_type(character, traits_type::eof()))
         return traits_type::not_eof(character);
       const char c = traits_type::to_char_type(character);
+      if (shown != Shown::all)
+      {
+        line += c;
+        if (c == '\n' && shown == Shown::warnings && line.rfind("Warning", 0) == 0)
+          terminal->sputn(line.data(), line.size());
+        if (c == '\n')
+          line.clear();
+        return file->sputc(c);
+      }
       if (is_at_start && clears_line)
         terminal->sputn("\033[K", 3);
       is_at_start = (c == '\n');
@@ -90,6 +109,7 @@ namespace caudal
     std::streambuf *const file;
     const bool            clears_line;
     bool                  is_at_start = true;
+    std::string           line; // that is not shown yet
   };
 
   Log::Log(const std::string &name, const MPI_Comm communicator, const bool append)
@@ -108,6 +128,12 @@ namespace caudal
   Log::~Log()
   {
     flush();
+  }
+
+  void Log::keep_from_terminal(const bool but_for_warnings)
+  {
+    if (buffer)
+      buffer->shown = but_for_warnings ? Shown::warnings : Shown::nothing;
   }
 
   void Log::print_banner()

@@ -72,15 +72,13 @@ namespace caudal
       AssertThrow(false, ExcMessage(message.str()));
     }
 
-    const std::string header = name + " [" + unit + "]";
-    if (has_rows)
-      AssertThrow(row.size() < headers.size() && headers[row.size()] == header, ExcColumn(header));
-    else
-    {
-      AssertThrow(std::find(headers.begin(), headers.end(), header) == headers.end(),
-                  ExcColumn(header));
+    const std::string header   = name + " [" + unit + "]";
+    const bool        is_right = has_rows
+                                     ? row.size() < headers.size() && headers[row.size()] == header
+                                     : std::find(headers.begin(), headers.end(), header) == headers.end();
+    AssertThrow(is_right, ExcColumn(header));
+    if (!has_rows)
       headers.push_back(header);
-    }
     row.push_back(value);
   }
 

@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/canonical_grid.h>
 
 #include <deal.II/distributed/p4est_wrappers.h>
@@ -11,7 +12,8 @@ namespace caudal
     using Forest = typename internal::p4est::types<dim>::forest;
     using P4est  = internal::p4est::functions<dim>;
     // The copy outlives the connectivity of the triangulation: it gets that of another one.
-    parallel::distributed::Triangulation<dim> coarse(triangulation.get_communicator());
+    parallel::distributed::Triangulation<dim> coarse(
+        compatibility::get_communicator(triangulation));
     make_domain(coarse, domain);
     Forest *forest       = P4est::copy_forest(const_cast<Forest *>(triangulation.get_p4est()), 0);
     forest->connectivity = coarse.get_p4est()->connectivity;

@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/cell_lattice.h>
 
 #include <algorithm>
@@ -107,7 +108,7 @@ namespace caudal
       for (const auto &cell : triangulation.active_cell_iterators_on_level(finest))
         if (cell->is_locally_owned() && contains(cell->center(), finest))
           ++n_found;
-    return Utilities::MPI::sum(n_found, triangulation.get_communicator()) == size();
+    return Utilities::MPI::sum(n_found, compatibility::get_communicator(triangulation)) == size();
   }
 
   template <int dim>

@@ -1,4 +1,5 @@
 #include <caudal/base/checks.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/refinement.h>
 
 #include <caudal/base/collective.h>
@@ -128,7 +129,7 @@ namespace caudal
         Expression<dim> level_function("Refinement/Level expression", parameters.level_expression,
                                        1);
         level_function.set_time(time);
-        run_on_all(triangulation.get_communicator(), [&]() {
+        run_on_all(compatibility::get_communicator(triangulation), [&]() {
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned())
               wanted_levels[cell->active_cell_index()] = level_function.value(cell->center());
@@ -166,7 +167,7 @@ namespace caudal
               fine.push_back(get_family_indicator(cell));
           }
         constexpr double n_children   = GeometryInfo<dim>::max_children_per_cell;
-        const MPI_Comm   communicator = triangulation.get_communicator();
+        const MPI_Comm   communicator = compatibility::get_communicator(triangulation);
         const double     n_spare =
             1. * parameters.largest_number_of_cells - triangulation.n_global_active_cells();
         refinement_threshold =
@@ -200,7 +201,8 @@ namespace caudal
           cell->set_coarsen_flag();
         any_flag = any_flag || needs_refinement || may_coarsen;
       }
-    return Utilities::MPI::max(static_cast<int>(any_flag), triangulation.get_communicator()) > 0;
+    return Utilities::MPI::max(static_cast<int>(any_flag),
+                               compatibility::get_communicator(triangulation)) > 0;
   }
 
   template bool flag_cells(parallel::distributed::Triangulation<2> &, const CellLattice<2> &,

@@ -74,31 +74,11 @@ namespace caudal
       }
     };
 
-    /** The column with the largest difference of the powers that body and fluid exchange. */
-    template <int dim>
-    class PowerIdentity : public Observer<dim>
-    {
-    public:
-      PowerIdentity()
-          : Observer<dim>(70)
-      {}
-
-      void set_columns(const Observation<dim> &observation, Statistics &statistics) const override
-      {
-        double largest = 0;
-        for (const auto &body : observation.bodies)
-          largest = std::max(largest, body.report.power_identity);
-        statistics.set("power identity", "", largest);
-      }
-    };
-
     const DimensionalRegistration<Observer, Motion> motion("motion",
                                                            "places and velocities of the bodies");
     const DimensionalRegistration<Observer, Deformation>
         deformation("deformation", "changes of the bodies' volume");
     const DimensionalRegistration<Observer, Swimming>
         swimming("swimming", "the tail's lateral position and the muscle's activation");
-    const DimensionalRegistration<Observer, PowerIdentity>
-        power_identity("power identity", "whether body and fluid exchange the same power");
   } // namespace
 } // namespace caudal

@@ -75,7 +75,7 @@ namespace caudal
   }
 
   template <int dim>
-  void Energies<dim>::set_columns(const Observation<dim> &, Statistics &statistics) const
+  void Energies<dim>::set_columns(const Observation<dim> &observation, Statistics &statistics) const
   {
     const std::string energy = get_extensive_unit<dim>("J");
     statistics.set("kinetic energy", energy, ledger.kinetic_energy);
@@ -83,6 +83,10 @@ namespace caudal
     statistics.set("numerical dissipation", energy, ledger.numerical_dissipation);
     statistics.set("external work", energy, ledger.external_work);
     statistics.set("energy residual", energy, ledger.get_residual(initial_ledger));
+    double identity = 0;
+    for (const auto &body : observation.bodies)
+      identity = std::max(identity, body.report.power_identity);
+    statistics.set("power identity", "", identity);
   }
 
   template <int dim>

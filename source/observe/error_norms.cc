@@ -18,7 +18,7 @@ namespace caudal
     {
     public:
       ErrorNorms()
-          : Observer<dim>(90)
+          : Observer<dim>(80)
       {}
 
       void add_parameters(ParameterHandler &prm) override

@@ -17,7 +17,7 @@ namespace caudal
     {
     public:
       Fields()
-          : Observer<dim>(110)
+          : Observer<dim>(100)
       {}
 
       void start(const Observation<dim> &observation, const ObserverContext<dim> &context) override

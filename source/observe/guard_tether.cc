@@ -7,11 +7,29 @@ namespace caudal
 {
   namespace
   {
+    /** The largest displacement of a node with springs, along an axis, in finest cells. */
+    template <int dim>
+    double compute_displacement(const Observation<dim>     &observation,
+                                const BodyObservation<dim> &body)
+    {
+      const SolidBody<dim> &solid     = body.body.get_solid();
+      const Vector<double> &positions = body.state.positions;
+      const auto           &lattice   = observation.lattice;
+      const Tensor<1, dim>  h         = lattice.get_cell_size(lattice.get_finest_level());
+      double                largest   = 0;
+      for (const auto &node : solid.get_nodes())
+        for (unsigned int d = 0; d < dim; ++d)
+          if (solid.get_feedback_stiffness().diag_element(node[d]) > 0)
+            largest = std::max(
+                largest,
+                std::abs(positions[node[d]] - solid.get_initial_positions()[node[d]]) / h[d]);
+      return largest;
+    }
+
     /** Distance by which feedback springs let a node go from its place. */
     template <int dim>
-    class TetherDisplacement : public Guard<dim>
+    struct TetherDisplacement : public Guard<dim>
     {
-    public:
       TetherDisplacement()
           : Guard<dim>({"Largest tether displacement",
                         "Warn if feedback springs let a node go further than this from its place, "
@@ -19,25 +37,8 @@ namespace caudal
                         "the displacement of the springs", " cells",
                         "Where springs are to hold a part in its place, increase "
                         "Body/Region/Feedback stiffness."},
-                       2, 40)
+                       2, compute_displacement<dim>, 40)
       {}
-
-      std::optional<double> measure_body(const Observation<dim> &observation,
-                                         const unsigned int      b) const override
-      {
-        const SolidBody<dim> &solid     = observation.bodies[b].body.get_solid();
-        const Vector<double> &positions = observation.bodies[b].state.positions;
-        const auto           &lattice   = observation.lattice;
-        const Tensor<1, dim>  h         = lattice.get_cell_size(lattice.get_finest_level());
-        double                largest   = 0;
-        for (const auto &node : solid.get_nodes())
-          for (unsigned int d = 0; d < dim; ++d)
-            if (solid.get_feedback_stiffness().diag_element(node[d]) > 0)
-              largest = std::max(
-                  largest,
-                  std::abs(positions[node[d]] - solid.get_initial_positions()[node[d]]) / h[d]);
-        return largest;
-      }
     };
 
     const DimensionalRegistration<Guard, TetherDisplacement>

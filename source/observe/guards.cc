@@ -23,7 +23,7 @@ namespace caudal
     {
     public:
       Guards()
-          : Observer<dim>(120)
+          : Observer<dim>(110)
       {}
 
       void add_parameters(ParameterHandler &prm) override
@@ -41,14 +41,15 @@ namespace caudal
       void observe_step(const Observation<dim>     &observation,
                         const ObserverContext<dim> &context) override
       {
-        for (unsigned int b = 0; b < observation.bodies.size(); ++b)
+        for (const auto &body : observation.bodies)
           for (const auto &[name, guard] : guards)
-            if (const auto value = guard->measure_body(observation, b))
-              compare(*guard, *value, " of body " + observation.bodies[b].body.get_name(),
-                      observation.time, context.log);
+            if (guard->measure_body)
+              compare(*guard, guard->measure_body(observation, body),
+                      " of body " + body.body.get_name(), observation.time, context.log);
         for (const auto &[name, guard] : guards)
-          if (const auto value = guard->measure(observation, context))
-            compare(*guard, *value, "", observation.time, context.log);
+          if (guard->measure)
+            compare(*guard, guard->measure(observation, context), "", observation.time,
+                    context.log);
       }
 
       void print_warnings(Log &log) const override
@@ -70,7 +71,7 @@ namespace caudal
       void compare(const Guard<dim> &guard, const double value, const std::string &owner,
                    const double time, Log &log)
       {
-        const auto       &words = guard.get_words();
+        const auto       &words = guard.words;
         const std::string what  = words.quantity + owner;
         if (guard.is_violated(value) && ++counts[what] == 1)
           log << "Warning: at t = " << time << " s " << what << " is " << value << words.unit

@@ -15,7 +15,7 @@ namespace caudal
     {
     public:
       Probes()
-          : Observer<dim>(80)
+          : Observer<dim>(70)
       {}
 
       void add_parameters(ParameterHandler &prm) override

@@ -1,8 +1,7 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_snapshot.h>
 #include <caudal/viscous/adaptation.h>
 #include <caudal/viscous/step_parts.h>
-
-#include <deal.II/distributed/solution_transfer.h>
 
 namespace caudal
 {
@@ -60,7 +59,7 @@ namespace caudal
     template <int dim>
     void transfer(Operators<dim> &operators, State<dim> &state)
     {
-      using Transfer              = parallel::distributed::SolutionTransfer<dim, FieldVector>;
+      using Transfer              = compatibility::SolutionTransfer<dim, FieldVector>;
       FluidSpace<dim>      &space = operators.space;
       Transfer              velocity_transfer(space.velocity_dofs);
       Transfer              pressure_transfer(space.pressure_dofs);

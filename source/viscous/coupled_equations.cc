@@ -1,4 +1,3 @@
-#include <caudal/viscous/body_unknowns.h>
 #include <caudal/viscous/coupled_equations.h>
 
 #include <algorithm>
@@ -10,17 +9,31 @@ namespace caudal
     // Any body has a few anchors, see get_group_begins().
     constexpr unsigned int fewest_anchors = 4;
 
-    /** Calls operation(number, places) for each body; the unknowns of the first begin at @p begin.
-     */
-    template <int dim, class Operation>
-    void for_each_body(const std::vector<BodyEquations<dim>> &bodies, int begin,
-                       const Operation &operation)
+    /** The values of a vector of which rank 0 owns everything, on all ranks. */
+    Vector<double> broadcast(const FieldVector &source)
     {
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-      {
-        operation(b, BodyPlaces<dim>(bodies[b], begin));
-        begin += bodies[b].n_unknowns();
-      }
+      Vector<double> values(source.size());
+      std::copy_n(source.begin(), source.locally_owned_size(), values.begin());
+      MPI_Bcast(values.begin(), values.size(), MPI_DOUBLE, 0, source.get_mpi_communicator());
+      return values;
+    }
+
+    Vector<double> extract(const Vector<double> &values, const unsigned int begin,
+                           const Places &places)
+    {
+      Vector<double> part(places.size);
+      for (unsigned int i = 0; i < places.size; ++i)
+        part[i] = values[begin + places[i]];
+      return part;
+    }
+
+    /** values += factor part */
+    void add(const Vector<double> &part, const unsigned int begin, const Places &places,
+             const double factor, Vector<double> &values)
+    {
+      AssertDimension(part.size(), places.size);
+      for (unsigned int i = 0; i < places.size; ++i)
+        values[begin + places[i]] += factor * part[i];
     }
   } // namespace
 
@@ -34,15 +47,10 @@ namespace caudal
       , momentum(momentum)
       , bodies(bodies)
       , scale(weights.inertia)
-  {}
-
-  template <int dim>
-  unsigned int CoupledEquations<dim>::n_body_unknowns() const
+      , begins(1, 0)
   {
-    unsigned int n = 0;
     for (const auto &body : bodies)
-      n += body.n_unknowns();
-    return n;
+      begins.push_back(begins.back() + body.n_unknowns());
   }
 
   template <int dim>
@@ -55,17 +63,18 @@ namespace caudal
     rhs.block(1) *= scale;
     if (!bodies.empty())
     {
-      BodyVector values(communicator, n_body_unknowns());
-      for_each_body(bodies, 0, [&](const unsigned int b, const BodyPlaces<dim> &places) {
-        Vector<double> kinematic(residual.bodies[b].velocity),
-            frame(residual.bodies[b].frame_velocity);
-        kinematic *= scale;
-        frame *= scale;
-        values.insert(residual.bodies[b].force_density, places.velocity);
-        values.insert(kinematic, places.force_density);
-        values.insert(frame, places.frame);
-      });
-      rhs.block(2) = values.make_owned();
+      Vector<double> values(begins.back());
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        add(residual.bodies[b].force_density, begins[b], bodies[b].velocity, 1, values);
+        add(residual.bodies[b].velocity, begins[b], bodies[b].force_density, scale, values);
+        add(residual.bodies[b].frame_velocity, begins[b], bodies[b].frame, scale, values);
+      }
+      IndexSet owned(values.size()); // by rank 0
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        owned.add_range(0, values.size());
+      rhs.block(2).reinit(owned, communicator);
+      std::copy_n(values.begin(), rhs.block(2).locally_owned_size(), rhs.block(2).begin());
     }
     rhs.collect_sizes();
     return rhs;
@@ -80,13 +89,11 @@ namespace caudal
     correction.pressure *= -1;
     if (bodies.empty())
       return correction;
-    BodyVector values(communicator, n_body_unknowns());
-    values.receive(solution.block(2));
-    for_each_body(bodies, 0, [&](const unsigned int, const BodyPlaces<dim> &places) {
-      correction.bodies.push_back({values.extract(places.velocity),
-                                   values.extract(places.force_density),
-                                   values.extract(places.frame)});
-    });
+    const Vector<double> values = broadcast(solution.block(2));
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      correction.bodies.push_back({extract(values, begins[b], bodies[b].velocity),
+                                   extract(values, begins[b], bodies[b].force_density),
+                                   extract(values, begins[b], bodies[b].frame)});
     return correction;
   }
 
@@ -101,101 +108,68 @@ namespace caudal
     if (bodies.empty())
       return;
 
-    BodyVector in(communicator, n_body_unknowns()), out(in);
-    in.receive(source.block(2));
-    FieldVector forces;
+    const Vector<double> in = broadcast(source.block(2));
+    Vector<double>       out(in.size());
+    FieldVector          forces;
     forces.reinit(result.block(0));
-    for_each_body(bodies, 0, [&](const unsigned int b, const BodyPlaces<dim> &places) {
-      const BodyEquations<dim> &body          = bodies[b];
-      const Vector<double>      velocity      = in.extract(places.velocity);
-      const Vector<double>      force_density = in.extract(places.force_density);
-      const Vector<double>      frame         = in.extract(places.frame);
-      body.interaction.spread(force_density, forces);
-
-      Vector<double> kinematic(velocity.size()), balance(velocity.size()),
-          frame_balance(frame.size());
-      body.mass.vmult(kinematic, velocity);
-      kinematic -= body.interaction.interpolate(source.block(0), /*homogeneous=*/true);
-      kinematic *= scale;
-      body.response.vmult(balance, velocity);
-      body.mass.vmult_add(balance, force_density);
-      for (unsigned int k = 0; k < frame.size(); ++k)
-      {
-        balance.add(-body.gait_damping * frame[k], body.rigid_moments[k]);
-        frame_balance[k] = body.rigid_moments[k] * velocity;
-        for (unsigned int l = 0; l < frame.size(); ++l)
-          frame_balance[k] -= body.rigid_inertia(k, l) * frame[l];
-        frame_balance[k] *= scale;
-      }
-      out.insert(balance, places.velocity);
-      out.insert(kinematic, places.force_density);
-      out.insert(frame_balance, places.frame);
-    });
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const auto &[rows, columns, entries] = bodies[b].matrix;
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        out[begins[b] + rows[k]] += entries[k] * in[begins[b] + columns[k]];
+      add(bodies[b].interaction.interpolate(source.block(0), /*homogeneous=*/true), begins[b],
+          bodies[b].force_density, -scale, out);
+      bodies[b].interaction.spread(extract(in, begins[b], bodies[b].force_density), forces);
+    }
     result.block(0) -= forces;
-    out.send(result.block(2));
+    std::copy_n(out.begin(), result.block(2).locally_owned_size(), result.block(2).begin());
   }
 
   template <int dim>
   MatrixParts CoupledEquations<dim>::collect_matrix() const
   {
     MatrixParts matrix;
-    Triplets   &entries = matrix.entries;
     momentum.get_matrix().append_to(matrix);
-    for_each_body(bodies, n_velocities, [&](const unsigned int b, const BodyPlaces<dim> &places) {
-      const BodyEquations<dim> &body     = bodies[b];
-      const Places             &velocity = places.velocity, &force_density = places.force_density,
-                   &frame   = places.frame;
-      const Places &balance = velocity, &kinematic = force_density; // rows
-      body.interaction.for_each_entry(
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const int     begin = n_velocities + begins[b];
+      const Places &force = bodies[b].force_density;
+      bodies[b].interaction.for_each_entry(
           [&](const unsigned int row, const types::global_dof_index column, const double value) {
-            entries.add(kinematic[row], column, -scale * value);
-            entries.add(column, force_density[row], -value);
+            matrix.entries.add(begin + force[row], column, -scale * value);
+            matrix.entries.add(column, begin + force[row], -value);
           });
-      // All ranks have the other matrices of a body; rank 0 contributes them.
+      // All ranks have the other entries of a body; rank 0 contributes them.
+      const auto &[rows, columns, entries] = bodies[b].matrix;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        for (const auto &entry : body.mass)
-        {
-          entries.add(kinematic[entry.row()], velocity[entry.column()], scale * entry.value());
-          entries.add(balance[entry.row()], force_density[entry.column()], entry.value());
-        }
-        for (const auto &entry : body.response)
-          entries.add(balance[entry.row()], velocity[entry.column()], entry.value());
-        for (unsigned int k = 0; k < body.n_frame_dofs(); ++k)
-        {
-          for (unsigned int i = 0; i < body.n_dofs(); ++i)
-          {
-            entries.add(balance[i], frame[k], -body.gait_damping * body.rigid_moments[k][i]);
-            entries.add(frame[k], velocity[i], scale * body.rigid_moments[k][i]);
-          }
-          for (unsigned int l = 0; l < body.n_frame_dofs(); ++l)
-            entries.add(frame[k], frame[l], -scale * body.rigid_inertia(k, l));
-        }
-      }
-    });
+        for (std::size_t k = 0; k < entries.size(); ++k)
+          matrix.entries.add(begin + rows[k], begin + columns[k], entries[k]);
+    }
     return matrix;
   }
 
   template <int dim>
   std::vector<int> CoupledEquations<dim>::get_group_begins(const unsigned int most_per_anchor) const
   {
-    std::vector<int> begins;
+    std::vector<int> groups;
     for (unsigned int i = 0; i < n_velocities; i += dim)
-      begins.push_back(i);
-    for_each_body(bodies, n_velocities, [&](const unsigned int b, const BodyPlaces<dim> &places) {
-      const unsigned int n_nodes = bodies[b].n_dofs() / dim;
+      groups.push_back(i);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const int          begin   = n_velocities + begins[b];
+      const unsigned int n_nodes = bodies[b].velocity.size / dim;
       const unsigned int spacing = std::clamp(n_nodes / fewest_anchors, 1u, most_per_anchor);
       for (unsigned int node = 0; node < n_nodes; ++node)
       {
-        begins.push_back(places.velocity[node * dim]);
+        groups.push_back(begin + bodies[b].velocity[node * dim]);
         if (node % spacing != 0)
-          begins.push_back(places.force_density[node * dim]);
+          groups.push_back(begin + bodies[b].force_density[node * dim]);
       }
-      if (bodies[b].n_frame_dofs() > 0)
-        begins.push_back(places.frame.begin);
-    });
-    begins.push_back(n_velocities + n_body_unknowns());
-    return begins;
+      if (bodies[b].frame.size > 0)
+        groups.push_back(begin + bodies[b].frame[0]);
+    }
+    groups.push_back(n_velocities + begins.back());
+    return groups;
   }
 
   template class CoupledEquations<2>;

@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/linear/conjugate_residuals.h>
 #include <caudal/viscous/coupled_solver.h>
 
@@ -89,7 +90,7 @@ namespace caudal
             sum_of_squares[d] += cell->center()[d] * cell->center()[d];
           }
         }
-      const MPI_Comm communicator = dofs.get_communicator();
+      const MPI_Comm communicator = compatibility::get_communicator(dofs);
       count                       = Utilities::MPI::sum(count, communicator);
       sum                         = Utilities::MPI::sum(sum, communicator) / count;
       sum_of_squares              = Utilities::MPI::sum(sum_of_squares, communicator) / count;

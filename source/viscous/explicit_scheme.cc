@@ -154,9 +154,9 @@ namespace caudal
           TimerOutput::Scope timer_section(operators.timer, "assemble fluid");
           residual.velocity = operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
         }
-        apply_bodies_to_fluid(interactions, force_densities, residual.velocity);
-        return solve_and_correct(operators, guess, std::move(residual), {}, point,
-                                 compute_force_scale(interactions, force_densities, guess.velocity),
+        const double force_scale =
+            apply_bodies_to_fluid(interactions, force_densities, residual.velocity);
+        return solve_and_correct(operators, guess, std::move(residual), {}, point, force_scale,
                                  next.solver);
       }
 

@@ -32,15 +32,15 @@ namespace caudal
           force_densities.push_back(body.force_density);
         CoupledUnknowns residual;
         residual.velocity = compute_momentum_residual(operators, state, weights, *point, guess);
-        apply_bodies_to_fluid(bodies.interactions, force_densities, residual.velocity);
+        const double force_scale =
+            apply_bodies_to_fluid(bodies.interactions, force_densities, residual.velocity);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
           residual.bodies.push_back(compute_body_residual(
               *operators.bodies[b], state.bodies[b], weights, point->bodies[b], bodies, b, guess));
 
-        FluidSolution solution = solve_and_correct(
-            operators, guess, std::move(residual), bodies.equations, point,
-            compute_force_scale(bodies.interactions, force_densities, guess.velocity),
-            step.state.solver);
+        FluidSolution solution =
+            solve_and_correct(operators, guess, std::move(residual), bodies.equations, point,
+                              force_scale, step.state.solver);
         step.state.fluid = {std::move(solution.velocity), state.fluid.velocity,
                             std::move(solution.pressure)};
         step.state.fluid.update_ghost_values();
@@ -223,7 +223,7 @@ namespace caudal
         difference.sadd(-1, 1, fluid.velocity);
         difference.update_ghost_values();
         const bool is_first = state.time.get_previous_step() == 0;
-        return (is_first ? 1 : 0.5) * compute_kinetic_energy(operators.space, difference);
+        return (is_first ? 1 : 0.5) * summarise_flow(operators.space, difference).kinetic_energy;
       }
     };
 

@@ -49,28 +49,44 @@ namespace caudal
       return result;
     }
 
+    /** Adds the balance of forces and the kinematics of a body without frame. */
+    template <int dim>
+    void add_body(const SparseMatrix<double> &mass, const SparseMatrix<double> &response,
+                  const double scale, BodyEquations<dim> &equations)
+    {
+      const Places &velocity = equations.velocity, &force_density = equations.force_density;
+      const Places &balance = velocity, &kinematic = force_density; // rows
+      for (const auto &entry : mass)
+      {
+        equations.matrix.add(kinematic[entry.row()], velocity[entry.column()],
+                             scale * entry.value());
+        equations.matrix.add(balance[entry.row()], force_density[entry.column()], entry.value());
+      }
+      for (const auto &entry : response)
+        equations.matrix.add(balance[entry.row()], velocity[entry.column()], entry.value());
+    }
+
     /**
-     * Sets rigid_moments and rigid_inertia for rigid motions of the positions @p x. Returns
-     * Z^T @p gait_force / eta.
+     * Adds the frame of a body with the rigid-body velocities @p modes, whose gait has the damping
+     * @p eta.
      */
     template <int dim>
-    Vector<double> add_frame(const Body<dim> &body, const Vector<double> &x,
-                             const Vector<double> &gait_force, BodyEquations<dim> &equations)
+    void add_frame(const SparseMatrix<double> &mass, const std::vector<Vector<double>> &modes,
+                   const double eta, const double scale, BodyEquations<dim> &equations)
     {
-      const std::vector<Vector<double>> modes = make_rigid_velocities(body.get_solid(), x);
-      const unsigned int                n     = modes.size();
-      Vector<double>                    residual(n);
-      equations.gait_damping = body.get_gait_damping();
-      equations.rigid_moments.assign(n, Vector<double>(equations.n_dofs()));
-      equations.rigid_inertia.reinit(n, n);
-      for (unsigned int k = 0; k < n; ++k)
+      const Places  &velocity = equations.velocity, &frame = equations.frame;
+      Vector<double> moments(mass.m()); // M_s Z
+      for (unsigned int k = 0; k < modes.size(); ++k)
       {
-        equations.mass.vmult(equations.rigid_moments[k], modes[k]);
-        residual[k] = (modes[k] * gait_force) / equations.gait_damping;
-        for (unsigned int l = 0; l < n; ++l)
-          equations.rigid_inertia(k, l) = equations.rigid_moments[k] * modes[l];
+        mass.vmult(moments, modes[k]);
+        for (unsigned int i = 0; i < moments.size(); ++i)
+        {
+          equations.matrix.add(velocity[i], frame[k], -eta * moments[i]);
+          equations.matrix.add(frame[k], velocity[i], scale * moments[i]);
+        }
+        for (unsigned int l = 0; l < modes.size(); ++l)
+          equations.matrix.add(frame[k], frame[l], -scale * (moments * modes[l]));
       }
-      return residual;
     }
   } // namespace
 
@@ -93,40 +109,39 @@ namespace caudal
       BodyResponse response(solid.get_sparsity_pattern());
       result.forces.push_back(body.compute_forces(
           {positions, velocity, point.time, point.step, contraction}, &response));
-      result.equations.push_back({solid.get_mass_matrix(), result.interactions[b],
-                                  combine_response(solid, std::move(response), point.rate)});
-      result.frame_residuals.push_back(
-          body.has_gait() ? add_frame(body, positions, result.forces[b].at(LoadAccount::gait),
-                                      result.equations[b])
-                          : Vector<double>());
+
+      const SparseMatrix<double>       &mass  = solid.get_mass_matrix();
+      const double                      scale = point.weights.inertia;
+      const std::vector<Vector<double>> modes =
+          body.has_gait() ? make_rigid_velocities(solid, positions) : std::vector<Vector<double>>();
+      result.equations.emplace_back(result.interactions[b], solid.n_dofs(), modes.size());
+      add_body(mass, combine_response(solid, std::move(response), point.rate), scale,
+               result.equations[b]);
+      add_frame(mass, modes, body.get_gait_damping(), scale, result.equations[b]);
+      result.frame_residuals.emplace_back(modes.size());
+      for (unsigned int k = 0; k < modes.size(); ++k)
+        result.frame_residuals[b][k] =
+            (modes[k] * result.forces[b].at(LoadAccount::gait)) / body.get_gait_damping();
     }
     return result;
   }
 
   template <int dim>
-  void apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
-                             const std::vector<Vector<double>>           &force_densities,
-                             FieldVector                                 &forces)
+  double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
+                               const std::vector<Vector<double>>           &force_densities,
+                               FieldVector                                 &forces)
   {
-    for (unsigned int b = 0; b < interactions.size(); ++b)
-      interactions[b].spread(force_densities[b], forces);
-  }
-
-  template <int dim>
-  double compute_force_scale(const std::vector<InteractionOperator<dim>> &interactions,
-                             const std::vector<Vector<double>>           &force_densities,
-                             const FieldVector                           &layout)
-  {
-    double      scale = 0;
-    FieldVector forces;
-    forces.reinit(layout);
+    double      sum_of_norms = 0;
+    FieldVector of_body;
+    of_body.reinit(forces);
     for (unsigned int b = 0; b < interactions.size(); ++b)
     {
-      forces = 0;
-      interactions[b].spread(force_densities[b], forces);
-      scale += forces.l2_norm();
+      of_body = 0;
+      interactions[b].spread(force_densities[b], of_body);
+      forces += of_body;
+      sum_of_norms += of_body.l2_norm();
     }
-    return scale;
+    return sum_of_norms;
   }
 
   template <int dim>
@@ -262,26 +277,24 @@ namespace caudal
     indicators.convective_cfl = report.flow.largest_rate * dt;
   }
 
-#define INSTANTIATE(dim)                                                                                \
-  template void recall_factorisation(const Operators<dim> &, const SolverMemory &);                     \
-  template std::vector<Contraction> command_muscles(const Operators<dim> &, const State<dim> &,         \
-                                                    double);                                            \
-  template LinearisedBodies<dim>    linearise_bodies(const Operators<dim> &, const Linearisation &);    \
-  template void          apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &,           \
-                                               const std::vector<Vector<double>> &, FieldVector &);     \
-  template double        compute_force_scale(const std::vector<InteractionOperator<dim>> &,             \
-                                             const std::vector<Vector<double>> &, const FieldVector &); \
-  template FluidSolution solve_and_correct(                                                             \
-      const Operators<dim> &, const FluidGuess &, CoupledUnknowns,                                      \
-      const std::vector<BodyEquations<dim>> &, const std::shared_ptr<const Linearisation> &,            \
-      double, SolverMemory &);                                                                          \
-  template Vector<double> follow_fluid(const Body<dim> &, const InteractionOperator<dim> &,             \
-                                       const FieldVector &);                                            \
-  template double account_work(const Body<dim> &, const BodyState &, const BodyForces &, double,        \
-                               BodyState &);                                                            \
-  template void   check_step(const Operators<dim> &, const State<dim> &, const State<dim> &,            \
-                             const std::vector<Vector<double>> &,                                       \
-                             const std::vector<InteractionOperator<dim>> &, double,                     \
+#define INSTANTIATE(dim)                                                                             \
+  template void recall_factorisation(const Operators<dim> &, const SolverMemory &);                  \
+  template std::vector<Contraction> command_muscles(const Operators<dim> &, const State<dim> &,      \
+                                                    double);                                         \
+  template LinearisedBodies<dim>    linearise_bodies(const Operators<dim> &, const Linearisation &); \
+  template double        apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &,        \
+                                               const std::vector<Vector<double>> &, FieldVector &);  \
+  template FluidSolution solve_and_correct(                                                          \
+      const Operators<dim> &, const FluidGuess &, CoupledUnknowns,                                   \
+      const std::vector<BodyEquations<dim>> &, const std::shared_ptr<const Linearisation> &,         \
+      double, SolverMemory &);                                                                       \
+  template Vector<double> follow_fluid(const Body<dim> &, const InteractionOperator<dim> &,          \
+                                       const FieldVector &);                                         \
+  template double account_work(const Body<dim> &, const BodyState &, const BodyForces &, double,     \
+                               BodyState &);                                                         \
+  template void   check_step(const Operators<dim> &, const State<dim> &, const State<dim> &,         \
+                             const std::vector<Vector<double>> &,                                    \
+                             const std::vector<InteractionOperator<dim>> &, double,                  \
                              StepReport<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -128,9 +128,25 @@ mkdir full
 touch full/thesis.tex
 refuse "an output folder with other files" good.prm -D "Output/Folder=full"
 
+override "Output/Figures/Print" "last(3)"
+override "Output/Figures/Print" "last([time"
+
 echo "* more ranks than cells"
 mpirun -np 3 "$CAUDAL" good.prm -D "Domain/Cells=2,1" -D "Domain/Levels=5" 2>&1 | grep -m 1 Error
 [ ! -e results ] || echo "    there is a folder of results"
+
+# figure EXPRESSION: what is said at the end of a run
+"$CAUDAL" good.prm -D "Output/Folder=run" >printed
+figure() {
+  echo "* the figure $1"
+  "$CAUDAL" --resume run -D "Output/Figures/Print=$1" 2>&1 | sed 's/^/    /'
+}
+figure "last([fish: z of point 1])"
+figure "last([time]) + foo"
+figure "[time]"
+figure "last([time]"
+figure "last([time]/0)"
+figure "1e3*last([time]); 100*largest([time] - t); mean(2*[cells]/[cells])"
 
 echo "* the case is good, with warnings"
 "$CAUDAL" --check --fast good.prm

@@ -165,6 +165,9 @@ int main()
     make_gait({{"Type", "travelling wave"}, {"Travelling wave/Frequency", "0"}});
   });
   expect_sentence([] {
+    get_position<2>(*make_gait({{"Type", "arctangent"}, {"Frequency", "1, 2"}}), 1., Point<2>());
+  });
+  expect_sentence([] {
     get_position<2>(*make_gait({{"Type", "travelling wave"}, {"Travelling wave/Amplitude", "0.5"}}),
                     1., Point<2>());
   });

@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 struct Ellipsoid

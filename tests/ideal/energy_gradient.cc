@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 std::string below(const double value, const double limit)

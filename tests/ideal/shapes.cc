@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 std::string below(const double value, const double limit)
@@ -131,13 +132,13 @@ void check_body(const std::string &name, const Surface &surface, const TestBody 
 
   BoundaryElements         elements(surface, MPI_COMM_SELF);
   const FullMatrix<double> bent = deformation->compute_body_mass(at.c);
-  const double             straight =
+  const double             straight_volume =
       deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
   const double volume = elements.solve(deformation->place(at.c)).get_potentials().volume;
   std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
             << below(rate_error, 1e-8) << ", volume of the body "
-            << below(std::abs(bent(3, 3) / straight - 1.), 1e-7) << ", of its surface "
-            << below(std::abs(volume / straight - 1.), 5e-4) << ", bend "
+            << below(std::abs(bent(3, 3) / straight_volume - 1.), 1e-7) << ", of its surface "
+            << below(std::abs(volume / straight_volume - 1.), 5e-4) << ", bend "
             << (deformation->compute_bend(at.c) < 1. ? "ok" : "bad") << ", reciprocal "
             << is_reciprocal(*gait) << ", glide symmetry " << has_glide_symmetry(*gait)
             << std::endl;

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <numeric>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 const std::string salmon =

@@ -1,10 +1,13 @@
-// The loads on a body: no elastic forces in a rigid motion, balanced ones in any
-// deformation, and the tangents of elastic and muscle forces against differences.
+// The loads on a body: no elastic forces in a rigid motion, balanced ones in any deformation, and
+// the tangents of elastic and muscle forces against differences.
 
 #include <caudal/solid/elasticity.h>
 #include <caudal/solid/load.h>
 #include <caudal/solid/rigid_motion.h>
 
+#include "../round_off.h"
+
+#include <iomanip>
 #include <iostream>
 
 using namespace caudal;
@@ -145,12 +148,13 @@ namespace
     const Vector<double>  x        = setup.map(
         [&](const Tensor<1, dim> &old) { return rotation * old + 3 * Point<dim>::unit_vector(0); });
     const auto summary = summarise_deformation(body, x);
-    std::cout << "  rigid motion: no elastic force "
-              << (compute_force(*setup.elastic_load, x).linfty_norm() < 1e-13) << ", no energy "
-              << (std::abs(summary.elastic_energy) < 1e-14) << ", J " << summary.smallest_jacobian
+    std::cout << "  rigid motion: elastic force "
+              << in_units(1e-13, compute_force(*setup.elastic_load, x).linfty_norm()) << ", energy "
+              << in_units(1e-14, summary.elastic_energy) << ", J " << summary.smallest_jacobian
               << " to " << summary.largest_jacobian << '\n';
     const auto fit = fit_rigid_motion(body, body.get_nodes(), body.get_initial_positions(), x);
-    std::cout << "  fitted rotation is it: " << ((fit.rotation - rotation).norm() < 1e-13) << '\n';
+    std::cout << "  error of the fitted rotation "
+              << in_units(1e-13, (fit.rotation - rotation).norm()) << '\n';
   }
 
   template <int dim>
@@ -166,10 +170,10 @@ namespace
     BodyResponse          response(body.get_sparsity_pattern());
     const auto            force                = compute_force(*setup.elastic_load, x, &response);
     const auto [elastic_force, elastic_moment] = setup.get_resultant(force, x);
-    std::cout << "  elastic forces " << (force.linfty_norm() > 0.01) << ", in balance "
-              << (elastic_force < 1e-13) << (elastic_moment < 1e-13)
-              << ", derivatives of an energy " << (get_asymmetry(response.stiffness) < 1e-12)
-              << '\n';
+    std::cout << "  elastic forces up to " << force.linfty_norm() << ", resultant "
+              << in_units(1e-13, elastic_force) << ", moment " << in_units(1e-13, elastic_moment)
+              << ", asymmetry of their derivatives "
+              << in_units(1e-12, get_asymmetry(response.stiffness)) << '\n';
 
     // Active stress alone has no resultant; force density has that of int f.
     const TestMuscle<dim> contracting(false, true), pulling(true, false), both(true, true);
@@ -177,8 +181,9 @@ namespace
         setup.get_resultant(compute_force(*make_muscle_load(body, contracting), x), x);
     const double total_force =
         setup.get_resultant(compute_force(*make_muscle_load(body, pulling), x), x).first;
-    std::cout << "  active stress in balance " << (active_force < 1e-13) << (active_moment < 1e-13)
-              << ", resultant of the force density " << total_force << '\n';
+    std::cout << "  active stress: resultant " << in_units(1e-13, active_force) << ", moment "
+              << in_units(1e-13, active_moment) << "; resultant of the force density "
+              << total_force << '\n';
 
     const auto load = make_muscle_load(body, both);
     compute_force(*load, x, &response);
@@ -195,8 +200,8 @@ namespace
                       compute_force(*load, y));
     }
     differences -= tangent;
-    std::cout << "  tangent equals differences: "
-              << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << '\n';
+    std::cout << "  tangent " << tangent.l2_norm() << ", off the differences by "
+              << in_units(1e-7, differences.l2_norm() / tangent.l2_norm()) << '\n';
   }
 
   /** On the far end of the beam, which is turned: resultant and moment stay in the domain's frame.
@@ -223,8 +228,8 @@ namespace
     Setup<dim> setup;
     for (auto &region : setup.parameters.region_parameters)
     {
-      region->cell_volume_stabilisation         = 7;
-      region->material.material                 = "none";
+      region->cell_volume_stabilisation = 7;
+      region->material.material.set_name("none");
       region->material.volumetric_stabilisation = 0;
     }
     const SolidBody<dim> body(setup.parameters, 1.);
@@ -246,12 +251,12 @@ namespace
     direction -= stretch(J - step);
     const double slope = summarise_deformation(body, stretch(J + step)).elastic_energy -
                          summarise_deformation(body, stretch(J - step)).elastic_energy;
-    std::cout << "  volumes of cells: energy over kappa/2 V (ln J)^2 within 0.1 % "
-              << (std::abs(summary.elastic_energy /
-                               (3.5 * body.get_reference_volume() * std::pow(std::log(J), 2)) -
-                           1) < 1e-3)
-              << ", in balance " << (force < 1e-13) << (moment < 1e-13) << ", force is its slope "
-              << (std::abs(elastic_force * direction + slope) < 1e-9 * std::abs(slope)) << '\n';
+    std::cout << "  volumes of cells: energy over kappa/2 V (ln J)^2 "
+              << summary.elastic_energy /
+                     (3.5 * body.get_reference_volume() * std::pow(std::log(J), 2))
+              << ", resultant " << in_units(1e-13, force) << ", moment " << in_units(1e-13, moment)
+              << ", force off its slope by "
+              << in_units(1e-9, (elastic_force * direction) / slope + 1) << '\n';
 
     // The stiffness of the linearised ln(v/V) is exact where v = V, and definite elsewhere.
     Vector<double> any(body.n_dofs()), tangent(body.n_dofs()), differences(body.n_dofs());
@@ -267,7 +272,7 @@ namespace
     compute_force(*load, body.get_initial_positions(), &response);
     response.stiffness.vmult(tangent, any);
     differences -= tangent;
-    bool is_definite = true;
+    double smallest = 0;
     for (const double factor : {0.8, 1.2})
     {
       response.stiffness = 0;
@@ -276,12 +281,12 @@ namespace
       {
         for (unsigned int i = 0; i < any.size(); ++i)
           any[i] = std::sin(frequency * i);
-        is_definite = is_definite && response.stiffness.matrix_norm_square(any) > -1e-12;
+        smallest = std::min(smallest, response.stiffness.matrix_norm_square(any));
       }
     }
-    std::cout << "  their stiffness equals differences "
-              << (differences.l2_norm() < 1e-7 * tangent.l2_norm()) << ", is positive "
-              << is_definite << '\n';
+    std::cout << "  their stiffness " << tangent.l2_norm() << ", off the differences by "
+              << in_units(1e-7, differences.l2_norm() / tangent.l2_norm()) << ", negative down to "
+              << in_units(1e-12, smallest) << '\n';
   }
 
   template <int dim>
@@ -311,6 +316,7 @@ namespace
 
 int main()
 {
+  std::cout << std::fixed << std::setprecision(6);
   test<2>();
   test<3>();
 }

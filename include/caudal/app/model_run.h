@@ -4,6 +4,7 @@
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/outcome.h>
 #include <caudal/base/parameter_file.h>
+#include <caudal/io/figures.h>
 #include <caudal/io/output_folder.h>
 
 #include <functional>
@@ -39,6 +40,7 @@ namespace caudal
   private:
     const ParameterFile &file;
     const MPI_Comm       communicator;
+    FigureParameters     figures;
     ParameterValues      values;
     std::string          text; // of all parameters
 

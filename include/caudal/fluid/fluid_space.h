@@ -1,6 +1,7 @@
 #ifndef caudal_fluid_fluid_space_h
 #define caudal_fluid_fluid_space_h
 
+#include <caudal/base/compatibility.h>
 #include <caudal/base/types.h>
 #include <caudal/fluid/body_force.h>
 #include <caudal/fluid/cell_matrices.h>
@@ -47,7 +48,7 @@ namespace caudal
     }
     MPI_Comm get_communicator() const
     {
-      return triangulation.get_communicator();
+      return compatibility::get_communicator(triangulation);
     }
     const FluidParameters<dim> &get_parameters() const
     {

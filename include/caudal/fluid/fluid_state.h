@@ -43,10 +43,6 @@ namespace caudal
     Tensor<1, dim> momentum;
   };
 
-  /** rho/2 int |u|^2 [J, in 2D J/m]. Collective. */
-  template <int dim>
-  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity);
-
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
 

@@ -2,9 +2,8 @@
 #define caudal_fluid_momentum_operator_h
 
 #include <caudal/fluid/cellwise_matrix.h>
+#include <caudal/fluid/divergence_matrix.h>
 #include <caudal/fluid/fluid_space.h>
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 namespace caudal
 {
@@ -59,7 +58,7 @@ namespace caudal
       return matrix;
     }
     /** B, without the constrained velocities. */
-    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const
+    const DivergenceMatrix &get_divergence_matrix() const
     {
       return divergence_matrix;
     }
@@ -71,8 +70,8 @@ namespace caudal
     void apply_inverse_pressure_mass(FieldVector &vector) const;
 
   private:
-    const FluidSpace<dim>         &space;
-    TrilinosWrappers::SparseMatrix divergence_matrix;
+    const FluidSpace<dim> &space;
+    DivergenceMatrix       divergence_matrix;
 
     // Work space: A of the last assemble().
     mutable CellwiseMatrix  matrix;

@@ -22,6 +22,9 @@ namespace caudal
     Log(const std::string &file, MPI_Comm communicator, bool append = false);
     ~Log() override;
 
+    /** From here on the terminal gets nothing, or warnings only; the file gets all. */
+    void keep_from_terminal(bool but_for_warnings);
+
     /** Writes versions, machine and linear algebra library. */
     void print_banner();
 

@@ -8,7 +8,8 @@
 namespace caudal
 {
   /**
-   * Columns with energies, works and powers, and the ledger that sums them up. Powers of the fluid
+   * Columns with energies, works and powers, the ledger that sums them up, and how far the powers
+   * that bodies and fluid exchange are the same. Powers of the fluid
    * are integrated by the trapezoidal rule; the works of bodies come with their states.
    */
   template <int dim>

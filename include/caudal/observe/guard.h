@@ -4,14 +4,16 @@
 
 #include <caudal/observe/observer.h>
 
-#include <optional>
+#include <cmath>
+#include <functional>
 
 namespace caudal
 {
   /**
-   * A limit within which the results of a run can be believed: an entry of section `Guards`, what
-   * it is about in the words of a warning, and how it is measured after each step. All guards that
-   * are registered are at work, unless their limit is 0.
+   * A limit within which the results of a run can be believed: an entry of section `Guards`, the
+   * words of its warning, and what is measured after each step, of each body or of everything
+   * together. All guards that are registered are at work, unless their limit is 0; warnings come
+   * in the order of their places.
    */
   template <int dim>
   class Guard : public Plugin
@@ -21,22 +23,45 @@ namespace caudal
     struct Words
     {
       std::string entry, documentation;
-      std::string quantity;  // "the area change"
-      std::string unit = ""; // behind a value: " cells"
-      std::string hint;      // what a violation may come from and what to do about it
+      std::string quantity; // "the area change"
+      std::string unit;     // behind a value: " cells"
+      std::string hint;     // what a violation may come from and what to do about it
     };
 
-    /** Warnings come in the order of the places. */
-    Guard(const Words &words, const double limit, const unsigned int place = last_place)
+    /** On which side of the limit the results can't be believed any more. */
+    enum class Side
+    {
+      above, ///< of the value's modulus
+      below
+    };
+
+    using BodyMeasure =
+        std::function<double(const Observation<dim> &, const BodyObservation<dim> &)>;
+    using Measure = std::function<double(const Observation<dim> &, const ObserverContext<dim> &)>;
+
+    /** A guard of each body. */
+    Guard(const Words &words, const double limit, const BodyMeasure &measure,
+          const unsigned int place = last_place, const Side side = Side::above)
         : words(words)
+        , measure_body(measure)
         , place(place)
+        , side(side)
         , limit(limit)
     {}
 
-    unsigned int get_place() const
-    {
-      return place;
-    }
+    /** A guard of fluid and bodies together. */
+    Guard(const Words &words, const double limit, const Measure &measure,
+          const unsigned int place = last_place, const Side side = Side::above)
+        : words(words)
+        , measure(measure)
+        , place(place)
+        , side(side)
+        , limit(limit)
+    {}
+
+    const Words       words;
+    const BodyMeasure measure_body; // one of both is empty
+    const Measure     measure;
 
     void add_parameters(ParameterHandler &prm) override
     {
@@ -45,37 +70,23 @@ namespace caudal
 
     void check(const std::string &path) const override;
 
-    const Words &get_words() const
+    unsigned int get_place() const
     {
-      return words;
+      return place;
     }
     double get_limit() const
     {
       return limit;
     }
 
-    /** The value for a body; none if the guard is not about single bodies. */
-    virtual std::optional<double> measure_body(const Observation<dim> &,
-                                               unsigned int /*body*/) const
+    bool is_violated(const double value) const
     {
-      return {};
-    }
-
-    /** The value for fluid and bodies together; none if the guard is not about these. */
-    virtual std::optional<double> measure(const Observation<dim> &,
-                                          const ObserverContext<dim> &) const
-    {
-      return {};
-    }
-
-    virtual bool is_violated(const double value) const
-    {
-      return limit > 0 && value > limit;
+      return side == Side::below ? value < limit : limit > 0 && std::abs(value) > limit;
     }
 
   private:
-    const Words        words;
     const unsigned int place;
+    const Side         side;
     double             limit;
   };
 } // namespace caudal

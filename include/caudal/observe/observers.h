@@ -70,8 +70,9 @@ namespace caudal
         states[name] = state.get_parts();
       }
       archive &states;
-      if (Archive::is_loading::value)
-        for (const auto &[name, observer] : observers)
+      // An observer that the checkpoint does not know begins with the resumed run.
+      for (const auto &[name, observer] : observers)
+        if (Archive::is_loading::value && states.count(name) > 0)
         {
           StateArchive state(states[name]);
           observer->exchange_state(state);

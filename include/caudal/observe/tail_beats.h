@@ -16,7 +16,7 @@ namespace caudal
   {
   public:
     TailBeats()
-        : Observer<dim>(100)
+        : Observer<dim>(90)
     {}
 
     void start(const Observation<dim> &, const ObserverContext<dim> &) override;

@@ -5,44 +5,53 @@
 #include <caudal/fluid/momentum_operator.h>
 #include <caudal/linear/multifrontal.h>
 
-#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
 
 namespace caudal
 {
+  /** Places of a field of a body among its unknowns: @p n_components of each @p stride. */
+  struct Places
+  {
+    int          begin;
+    unsigned int size, n_components, stride;
+
+    int operator[](const unsigned int i) const
+    {
+      return begin + i / n_components * stride + i % n_components;
+    }
+  };
+
   /**
    * The part of a body in a step's linear system: the equations
-   *   M_s dU - G du = r_U,
-   *   R dU + M_s dPhi - eta M_s Z dq = r_Phi,  Z^T M_s (dU - Z dq) = r_q
-   * for the corrections of its velocity, its force density and, with a gait,
-   * of the velocity q of its floating frame (Z: rigid-body velocities).
+   *   scale (M_s dU - G du) = scale r_U,
+   *   R dU + M_s dPhi - eta M_s Z dq = r_Phi,  scale Z^T M_s (dU - Z dq) = scale r_q
+   * for the corrections of its velocity, its force density and, with a gait, of the velocity q of
+   * its floating frame (Z: rigid-body velocities; R = -db/dU: stiffness times step, damping, excess
+   * inertia). Unknowns are numbered node by node, velocity before force density, those of the frame
+   * last. r_Phi stands in the rows of dU and r_U in those of dPhi: then only dPhi shares rows and
+   * columns with the fluid, and the factors of the matrix are smaller by up to a fifth.
    */
   template <int dim>
   struct BodyEquations
   {
-    /** M_s */
-    const SparseMatrix<double> &mass;
+    BodyEquations(const InteractionOperator<dim> &interaction, const unsigned int n_dofs,
+                  const unsigned int n_frame)
+        : interaction(interaction)
+        , velocity{0, n_dofs, dim, 2 * dim}
+        , force_density{dim, n_dofs, dim, 2 * dim}
+        , frame{2 * static_cast<int>(n_dofs), n_frame, 1, 1}
+    {}
+
     /** G */
     const InteractionOperator<dim> &interaction;
-    /** R = -db/dU: stiffness times step, damping, excess inertia. */
-    SparseMatrix<double> response;
-    /** M_s Z, column by column; empty without a gait. */
-    std::vector<Vector<double>> rigid_moments{};
-    /** Z^T M_s Z */
-    FullMatrix<double> rigid_inertia{};
-    /** eta */
-    double gait_damping = 0;
+    /** Places of the unknowns, and of the equations of balance, kinematics and frame. */
+    Places velocity, force_density, frame;
+    /** The matrix of the equations, without G. */
+    Triplets matrix{};
 
-    unsigned int n_dofs() const
-    {
-      return mass.m();
-    }
-    unsigned int n_frame_dofs() const
-    {
-      return rigid_moments.size();
-    }
     unsigned int n_unknowns() const
     {
-      return 2 * n_dofs() + n_frame_dofs();
+      return 2 * velocity.size + frame.size;
     }
   };
 
@@ -63,10 +72,8 @@ namespace caudal
    * The linear system of a step: momentum, continuity and all bodies at once,
    *   A du + B^T dq - sum_b G_b^T dPhi_b = r_u,   B du = r_p,   dq = -dp,
    *   and the BodyEquations.
-   * The continuity equation and the first of each body are scaled by rho/dt, which makes their
-   * residuals comparable to forces. Of the equations of a body r_Phi stands in the rows of dU and
-   * r_U in those of dPhi: then only dPhi shares rows and columns with the fluid, and the factors of
-   * the matrix are smaller by up to a fifth.
+   * The continuity equation is scaled as those of the bodies, by rho/dt, which makes all residuals
+   * comparable to forces.
    */
   template <int dim>
   class CoupledEquations
@@ -99,8 +106,7 @@ namespace caudal
     const MomentumOperator<dim>           &momentum;
     const std::vector<BodyEquations<dim>> &bodies;
     const double                           scale;
-
-    unsigned int n_body_unknowns() const;
+    std::vector<unsigned int>              begins; // of the bodies' unknowns, and their number
   };
 } // namespace caudal
 

@@ -5,7 +5,7 @@
 #include <caudal/base/time_stepping.h>
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/fluid_parameters.h>
-#include <caudal/io/checkpoint_folder.h>
+#include <caudal/io/checkpoint_writer.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
 #include <caudal/observe/observers.h>
@@ -44,7 +44,7 @@ namespace caudal
 
     /**
      * The bodies and their regions, which decide what sections there are, are
-     * those that @p file names; without a file one body <name> with one region.
+     * those that @p file names; without a file one body `<name>` with one region.
      */
     explicit RunParameters(const ParameterFile *file);
 

@@ -38,18 +38,14 @@ namespace caudal
   LinearisedBodies<dim> linearise_bodies(const Operators<dim> &operators,
                                          const Linearisation  &point);
 
-  /** Body to fluid: adds the @p forces G^T Phi of all bodies, Phi their force densities. */
+  /**
+   * Body to fluid: adds the @p forces G^T Phi of all bodies, Phi their force densities. Returns the
+   * sum of their norms.
+   */
   template <int dim>
-  void apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
-                             const std::vector<Vector<double>>           &force_densities,
-                             FieldVector                                 &forces);
-
-  /** sum_b |G^T Phi|, the norms of the bodies' forces on the fluid; @p layout is that of a
-   * velocity. */
-  template <int dim>
-  double compute_force_scale(const std::vector<InteractionOperator<dim>> &interactions,
-                             const std::vector<Vector<double>>           &force_densities,
-                             const FieldVector                           &layout);
+  double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
+                               const std::vector<Vector<double>>           &force_densities,
+                               FieldVector                                 &forces);
 
   /** The first guess of a step's solution, which satisfies the boundary conditions at its end. */
   struct FluidGuess
@@ -67,8 +63,8 @@ namespace caudal
 
   /**
    * Solves for the corrections to the first @p guess, whose @p residual still lacks that of the
-   * continuity equation, and applies them to the fluid. @p force_scale: norm of the forces of the
-   * bodies on the fluid.
+   * continuity equation, and applies them to the fluid. @p force_scale: what
+   * apply_bodies_to_fluid() returns.
    */
   template <int dim>
   FluidSolution solve_and_correct(const Operators<dim> &operators, const FluidGuess &guess,
