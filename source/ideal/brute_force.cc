@@ -1,5 +1,7 @@
 #include <caudal/ideal/stroke_model.h>
 
+#include <map>
+
 namespace caudal::ideal
 {
   namespace
@@ -44,31 +46,30 @@ namespace caudal::ideal
       }
 
     private:
-      struct Entry
+      struct Solution
       {
-        double             argument;
         StrokeState        state;
         FullMatrix<double> potentials;
       };
 
-      /** Computes it, unless it is one of the last few. */
-      const Entry &get(const double argument)
+      /** Solves, unless the argument is one of the last few. */
+      const Solution &get(const double argument)
       {
-        for (const auto &entry : entries)
-          if (entry->argument == argument)
-            return *entry;
-        auto entry      = std::make_unique<Entry>();
-        entry->argument = argument;
-        entry->state    = shape.compute_state(argument, &entry->potentials);
-        if (entries.size() > 8)
-          entries.erase(entries.begin());
-        entries.push_back(std::move(entry));
-        return *entries.back();
+        auto known = solutions.find(argument);
+        if (known == solutions.end())
+        {
+          Solution solution;
+          solution.state = shape.compute_state(argument, &solution.potentials);
+          if (solutions.size() > 8)
+            solutions.erase(solutions.begin());
+          known = solutions.emplace(argument, std::move(solution)).first;
+        }
+        return known->second;
       }
 
-      SwimmingShape                      &shape;
-      const double                        increment;
-      std::vector<std::unique_ptr<Entry>> entries;
+      SwimmingShape             &shape;
+      const double               increment;
+      std::map<double, Solution> solutions; // by argument
     };
   } // namespace
 

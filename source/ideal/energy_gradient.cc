@@ -15,17 +15,24 @@ namespace caudal::ideal
   {
     Timer               timer;
     std::vector<double> gradient(motion.modes.size(), 0.);
-    for (const Equations &equations : systems)
+    for (const double sign : {1., -1.})
     {
       // Flows of different symmetry have no energy in common, in symmetric shapes.
-      std::vector<double> part(u.size(), 0.);
-      for (const unsigned int l : equations.motions)
-        part[l] = u[l];
-      if (part == std::vector<double>(u.size(), 0.))
+      const Vector<double> part = extract_part(Vector<double>(u.begin(), u.end()), sign);
+      if (part.all_zero())
         continue;
-      const auto of_part = compute_energy_gradient(equations, part, mode_rates);
+      const NodalGradient by_nodes = differentiate_energy(part);
+      const Tensor<1, 3>  omega({part(0), part(1), part(2)});
       for (unsigned int mode = 0; mode < gradient.size(); ++mode)
-        gradient[mode] += of_part[mode];
+        for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+        {
+          // How X and omega x X + v + sum_j c_j' dX/dc_j depend on c_i
+          Tensor<1, 3> velocity = cross_product_3d(omega, motion.modes[mode][i]);
+          if (sign > 0.)
+            velocity += mode_rates[mode][i];
+          gradient[mode] +=
+              0.5 * (by_nodes.place[i] * motion.modes[mode][i] + by_nodes.velocity[i] * velocity);
+        }
     }
     Utilities::MPI::sum(gradient, communicator, gradient);
     cost.gradient += timer.cpu_time();
@@ -34,82 +41,55 @@ namespace caudal::ideal
 
   bool ExteriorFlow::interact(const Vector<double> &u, const Vector<double> &v) const
   {
-    return std::any_of(systems.begin(), systems.end(), [&](const Equations &equations) {
-      const auto moves = [&](const Vector<double> &rates) {
-        return std::any_of(equations.motions.begin(), equations.motions.end(),
-                           [&](const unsigned int l) { return rates(l) != 0.; });
-      };
-      return moves(u) && moves(v);
-    });
+    const auto interact_by = [&](const double sign) {
+      return !extract_part(u, sign).all_zero() && !extract_part(v, sign).all_zero();
+    };
+    return interact_by(1.) || interact_by(-1.);
   }
 
-  /** This rank's part, for motions that have the symmetry of the equations. */
-  std::vector<double>
-  ExteriorFlow::compute_energy_gradient(const Equations &equations, const std::vector<double> &u,
-                                        const std::vector<std::vector<Tensor<1, 3>>> &mode_rates)
+  /** This rank's part, for motions @p u of one symmetry. */
+  ExteriorFlow::NodalGradient ExteriorFlow::differentiate_energy(const Vector<double> &u)
   {
-    const unsigned int   n = surface.n_nodes();
-    const Vector<double> rates(u.begin(), u.end());
-    NodalFlow            flow{Vector<double>(n), std::vector<Tensor<1, 3>>(n)};
-    Vector<double>       f(n); // by the potential at the nodes: derivatives of int phi u.n dS
-    potentials.values.vmult(flow.potential, rates);
-    fluxes.vmult(f, rates);
-    for (const unsigned int l : equations.motions)
+    const unsigned int n = surface.n_nodes();
+    NodalFlow          flow{Vector<double>(n), std::vector<Tensor<1, 3>>(n)};
+    Vector<double>     adjoint(n); // at first f, derivatives of int phi u.n dS by phi at the nodes
+    potentials.values.vmult(flow.potential, u);
+    fluxes.vmult(adjoint, u);
+    matrix.solve(adjoint, /*transposed*/ true);
+    for (unsigned int l = 0; l < u.size(); ++l)
       for (unsigned int i = 0; i < n; ++i)
-        flow.velocity[i] += u[l] * velocities[l][i];
+        flow.velocity[i] += u(l) * velocities[l][i];
+    // In symmetric flows the equations of both halves contribute the same.
+    for (unsigned int i = 0; i < n; ++i)
+      if (images[i] != i)
+        adjoint(i) *= 2.;
 
-    Vector<double> adjoint = fold(equations, f);
-    equations.matrix.solve(adjoint, /*transposed*/ true);
-    const NodalGradient by_nodes = differentiate(equations, flow, adjoint);
-
-    const Tensor<1, 3> omega({u[0], u[1], u[2]});
-    const bool has_modes = std::any_of(u.begin() + 6, u.end(), [](double c) { return c != 0.; });
-    std::vector<double> gradient(motion.modes.size(), 0.);
-    for (unsigned int mode = 0; mode < gradient.size(); ++mode)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        // Of X and of omega x X + v + sum_j c_j' dX/dc_j
-        Tensor<1, 3> velocity = cross_product_3d(omega, motion.modes[mode][i]);
-        if (has_modes)
-          velocity += mode_rates[mode][i];
-        gradient[mode] +=
-            0.5 * (by_nodes.place[i] * motion.modes[mode][i] + by_nodes.velocity[i] * velocity);
-      }
+    NodalGradient gradient;
+    gradient.place.resize(n);
+    gradient.velocity.resize(n);
+    const std::vector<unsigned int> own_nodes = get_own_nodes();
+    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+    {
+      std::vector<std::vector<unsigned int>> observers(1); // nodes by the rules they use
+      for (const unsigned int node : own_nodes)
+        for (const unsigned int rule : placed.find_rules(cell, node))
+        {
+          observers.resize(std::max<std::size_t>(observers.size(), rule + 1));
+          observers[rule].push_back(node);
+        }
+      for (unsigned int rule = 0; rule < observers.size(); ++rule)
+        differentiate_rule(cell, rule, observers[rule], flow, adjoint, gradient);
+    }
     return gradient;
   }
 
   /**
    * Derivatives of the sum over nodes x of lambda_x times the residual of their equation,
    *   R_x = phi_x + int ((phi_y - phi_x) (y - x).N/(4 pi |y - x|^3) + u.N/(4 pi |y - x|)),
-   * minus int phi u.N: this rank's part.
+   * minus int phi u.N: what one rule adds for the nodes that use it, through the places y,
+   * elements N and fluxes w = u.N of its points.
    */
-  ExteriorFlow::NodalGradient ExteriorFlow::differentiate(const Equations      &equations,
-                                                          const NodalFlow      &flow,
-                                                          const Vector<double> &adjoint)
-  {
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    NodalGradient      gradient;
-    gradient.place.resize(surface.n_nodes());
-    gradient.velocity.resize(surface.n_nodes());
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-    {
-      std::vector<std::vector<unsigned int>> observers(1); // equations by the rules they use
-      for (unsigned int k = rank; k < equations.nodes.size(); k += n_ranks)
-        for (const unsigned int rule : placed.find_rules(cell, equations.nodes[k]))
-        {
-          observers.resize(std::max<std::size_t>(observers.size(), rule + 1));
-          observers[rule].push_back(k);
-        }
-      for (unsigned int rule = 0; rule < observers.size(); ++rule)
-        differentiate_rule(equations, cell, rule, observers[rule], flow, adjoint, gradient);
-    }
-    return gradient;
-  }
-
-  /** What one rule has to add, through places y, elements N and fluxes w = u.N of its points. */
-  void ExteriorFlow::differentiate_rule(const Equations &equations, const unsigned int cell,
-                                        const unsigned int               number,
+  void ExteriorFlow::differentiate_rule(const unsigned int cell, const unsigned int number,
                                         const std::vector<unsigned int> &observers,
                                         const NodalFlow &flow, const Vector<double> &adjoint,
                                         NodalGradient &gradient) const
@@ -133,10 +113,9 @@ namespace caudal::ideal
       const double w    = u * N;
       double       by_w = has_energy ? -phi : 0.;
       Tensor<1, 3> by_y, by_N;
-      for (const unsigned int k : observers)
+      for (const unsigned int node : observers)
       {
-        const auto          node    = equations.nodes[k];
-        const double        lambda  = adjoint(k);
+        const double        lambda  = adjoint(node);
         const Tensor<1, 3>  r       = y - motion.positions[node];
         const LaplaceKernel kernel  = evaluate_laplace_kernel(r, N);
         const double        inverse = 1. / r.norm_square();

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <numeric>
+
 namespace caudal::ideal
 {
   namespace
@@ -30,15 +32,8 @@ namespace caudal::ideal
       }
     }
 
-    /** What the mirror z -> -z does to the motions of Potentials; modes are in its plane. */
-    double get_mirror_sign(const unsigned int motion)
-    {
-      const double signs[] = {-1., -1., 1., 1., 1., -1.};
-      return motion < 6 ? signs[motion] : 1.;
-    }
-
     /** Whether the surface and its modes are mirror images of themselves, z -> -z. */
-    bool is_symmetric(const Surface &surface, const SurfaceMotion &motion)
+    bool has_mirror_symmetry(const Surface &surface, const SurfaceMotion &motion)
     {
       const auto &images = surface.get_mirror_images();
       const auto  agree  = [](const Tensor<1, 3> &a, Tensor<1, 3> b, const double tolerance) {
@@ -62,8 +57,6 @@ namespace caudal::ideal
     /** Adds up what the ranks have computed. */
     void sum(LAPACKFullMatrix<double> &matrix, const MPI_Comm communicator)
     {
-      if (matrix.n_elements() == 0)
-        return;
       const ArrayView<double> entries(&matrix(0, 0), matrix.n_elements());
       Utilities::MPI::sum(ArrayView<const double>(entries), communicator, entries);
     }
@@ -76,16 +69,21 @@ namespace caudal::ideal
       , communicator(communicator)
       , cost(cost)
       , placed(surface, motion, rules)
+      , is_symmetric(has_mirror_symmetry(surface, motion))
+      , images(surface.get_mirror_images())
+      , matrix(surface.n_nodes())
   {
     Timer timer;
+    if (!is_symmetric)
+    {
+      images.resize(surface.n_nodes());
+      std::iota(images.begin(), images.end(), 0);
+    }
     compute_velocities();
-    split_by_symmetry();
-    assemble();
+    LAPACKFullMatrix<double> right_hand_sides = assemble();
     cost.assembly += timer.cpu_time();
     timer.restart();
-    potentials.values.reinit(surface.n_nodes(), velocities.size());
-    for (Equations &equations : systems)
-      solve(equations);
+    solve(std::move(right_hand_sides));
     integrate();
     cost.solution += timer.cpu_time();
   }
@@ -106,53 +104,38 @@ namespace caudal::ideal
     velocities.insert(velocities.end(), motion.modes.begin(), motion.modes.end());
   }
 
-  void ExteriorFlow::split_by_symmetry()
+  std::vector<unsigned int> ExteriorFlow::get_own_nodes() const
   {
-    const auto &images    = surface.get_mirror_images();
-    const bool  symmetric = is_symmetric(surface, motion);
-    systems.resize(symmetric ? 2 : 1);
-    for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-      if (!symmetric || i < images[i])
-        for (Equations &equations : systems)
-          equations.nodes.push_back(i);
-    for (unsigned int l = 0; l < velocities.size(); ++l)
-      systems[symmetric && get_mirror_sign(l) < 0. ? 1 : 0].motions.push_back(l);
-    if (!symmetric)
-      return;
-    systems[0].sign = 1;
-    systems[1].sign = -1;
-    // Antisymmetric potentials vanish at the nodes in the plane.
-    for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-      if (i == images[i])
-        systems[0].nodes.push_back(i);
+    const unsigned int        rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<unsigned int> nodes;
+    for (unsigned int node = 0, n = 0; node < surface.n_nodes(); ++node)
+      if (node <= images[node] && n++ % n_ranks == rank)
+        nodes.push_back(node);
+    return nodes;
   }
 
-  Vector<double> ExteriorFlow::fold(const Equations &equations, const Vector<double> &row) const
+  double ExteriorFlow::get_mirror_sign(const unsigned int motion) const
   {
-    Vector<double> result(equations.nodes.size());
-    for (unsigned int k = 0; k < result.size(); ++k)
-    {
-      const auto node = equations.nodes[k];
-      result(k)       = row(node);
-      if (equations.sign != 0 && surface.get_mirror_images()[node] != node)
-        result(k) += equations.sign * row(surface.get_mirror_images()[node]);
-    }
-    return result;
+    const double signs[] = {-1., -1., 1., 1., 1., -1.}; // modes are in the mirror's plane
+    return is_symmetric && motion < 6 ? signs[motion] : 1.;
   }
 
-  void ExteriorFlow::assemble()
+  Vector<double> ExteriorFlow::extract_part(const Vector<double> &motions, const double sign) const
   {
-    for (Equations &equations : systems)
+    Vector<double> part = motions;
+    for (unsigned int l = 0; l < part.size(); ++l)
+      if (get_mirror_sign(l) != sign)
+        part(l) = 0.;
+    return part;
+  }
+
+  LAPACKFullMatrix<double> ExteriorFlow::assemble()
+  {
+    LAPACKFullMatrix<double> right_hand_sides(surface.n_nodes(), velocities.size());
+    for (const unsigned int node : get_own_nodes())
     {
-      equations.matrix.reinit(equations.nodes.size(), equations.nodes.size());
-      equations.potentials.reinit(equations.nodes.size(), equations.motions.size());
-    }
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (unsigned int k = Utilities::MPI::this_mpi_process(communicator);
-         k < systems[0].nodes.size(); k += n_ranks)
-    {
-      const auto                node = systems[0].nodes[k];
-      Vector<double>            double_layer(surface.n_nodes());
+      std::vector<double>       double_layer(surface.n_nodes(), 0.);
       std::vector<Tensor<1, 3>> single_layer(surface.n_nodes());
       for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
       {
@@ -162,44 +145,34 @@ namespace caudal::ideal
         const auto &nodes = surface.get_nodes(cell);
         for (unsigned int i = 0; i < nodes.size(); ++i)
         {
-          double_layer(nodes[i]) += integrals.double_layer[i];
+          double_layer[nodes[i]] += integrals.double_layer[i];
           single_layer[nodes[i]] += integrals.single_layer[i];
         }
       }
-      for (Equations &equations : systems)
-        if (k < equations.nodes.size())
-          add_equation(equations, k, double_layer, single_layer);
+      // phi(x) is subtracted from all phi(y), and so has no part in the double layer itself.
+      double_layer[node] = 0.;
+      double_layer[node] = -1. - std::accumulate(double_layer.begin(), double_layer.end(), 0.);
+      for (unsigned int j = 0; j < surface.n_nodes(); ++j)
+        matrix(images[node], images[j]) = matrix(node, j) = -double_layer[j];
+      for (unsigned int l = 0; l < velocities.size(); ++l)
+      {
+        const double flux = std::inner_product(velocities[l].begin(), velocities[l].end(),
+                                               single_layer.begin(), 0.);
+        right_hand_sides(images[node], l) = -get_mirror_sign(l) * flux;
+        right_hand_sides(node, l)         = -flux;
+      }
     }
-    for (Equations &equations : systems)
-    {
-      sum(equations.matrix, communicator);
-      sum(equations.potentials, communicator);
-    }
+    sum(matrix, communicator);
+    sum(right_hand_sides, communicator);
+    return right_hand_sides;
   }
 
-  void ExteriorFlow::add_equation(Equations &equations, const unsigned int k,
-                                  const Vector<double>            &double_layer,
-                                  const std::vector<Tensor<1, 3>> &single_layer) const
-  {
-    // phi(x) is subtracted from all phi(y), and so has no part in the double layer itself.
-    const auto     node         = equations.nodes[k];
-    Vector<double> row          = double_layer;
-    row(node)                   = 0.;
-    row(node)                   = -1. - row.size() * row.mean_value();
-    const Vector<double> folded = fold(equations, row);
-    for (unsigned int j = 0; j < folded.size(); ++j)
-      equations.matrix(k, j) = -folded(j);
-    for (unsigned int l = 0; l < equations.motions.size(); ++l)
-      for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-        equations.potentials(k, l) -= velocities[equations.motions[l]][i] * single_layer[i];
-  }
-
-  void ExteriorFlow::solve(Equations &equations)
+  void ExteriorFlow::solve(LAPACKFullMatrix<double> solution)
   {
     try
     {
-      equations.matrix.compute_lu_factorization();
-      equations.matrix.solve(equations.potentials);
+      matrix.compute_lu_factorization();
+      matrix.solve(solution);
     }
     catch (const ExceptionBase &)
     {
@@ -207,16 +180,10 @@ namespace caudal::ideal
                                     "degenerate, or intersects itself. Check section Shape, and "
                                     "refine section Surface."));
     }
-    for (unsigned int k = 0; k < equations.nodes.size(); ++k)
-      for (unsigned int l = 0; l < equations.motions.size(); ++l)
-      {
-        const auto node   = equations.nodes[k];
-        const auto motion = equations.motions[l];
-        if (equations.sign != 0)
-          potentials.values(surface.get_mirror_images()[node], motion) =
-              equations.sign * equations.potentials(k, l);
-        potentials.values(node, motion) = equations.potentials(k, l);
-      }
+    potentials.values.reinit(solution.m(), solution.n());
+    for (unsigned int i = 0; i < solution.m(); ++i)
+      for (unsigned int l = 0; l < solution.n(); ++l)
+        potentials.values(i, l) = solution(i, l);
   }
 
   void ExteriorFlow::integrate()
@@ -253,7 +220,7 @@ namespace caudal::ideal
                     ExcMessage("The boundary elements' solution is not finite: the surface is "
                                "degenerate. Refine it, or give a smoother shape."));
         // Flows of different symmetry have no energy in common; that is to hold exactly.
-        if (systems.size() == 2 && get_mirror_sign(k) != get_mirror_sign(l))
+        if (get_mirror_sign(k) != get_mirror_sign(l))
           mass(k, l) = 0.;
       }
   }

@@ -1,4 +1,5 @@
 #include <caudal/ideal/phase_table.h>
+#include <caudal/ideal/trigonometric_interpolation.h>
 
 namespace caudal::ideal
 {
@@ -86,38 +87,36 @@ namespace caudal::ideal
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    Rows               rows(get_n_computed()), flows(get_n_computed());
+    states.resize(get_n_computed());
+    potentials.resize(get_n_computed());
     for (unsigned int k = rank; k < get_n_computed(); k += n_ranks)
     {
       FullMatrix<double> flow;
       const StrokeState  state = shape.compute_state(2. * numbers::PI * k / this->n_phases, &flow);
-      visit_state(state, n_drives, [&](const double value, double) { rows[k].push_back(value); });
-      flows[k].assign(&flow(0, 0), &flow(0, 0) + flow.m() * flow.n());
+      visit_state(state, n_drives, [&](const double value, double) { states[k].push_back(value); });
+      potentials[k].assign(&flow(0, 0), &flow(0, 0) + flow.m() * flow.n());
     }
-    exchange(rows, momenta_begin + n_modes * (n_drives + n_drives * (n_drives + 1) / 2),
+    exchange(states, momenta_begin + n_modes * (n_drives + n_drives * (n_drives + 1) / 2),
              communicator);
-    exchange(flows, shape.surface.n_nodes() * (6 + n_modes), communicator);
+    exchange(potentials, shape.surface.n_nodes() * (6 + n_modes), communicator);
     if (is_mirrored)
-      add_second_half(shape, rows, flows);
-    states     = std::make_unique<TrigonometricTable>(std::move(rows));
-    potentials = std::make_unique<TrigonometricTable>(std::move(flows));
+      add_second_half(shape.surface);
   }
 
-  void PhaseTable::add_second_half(const SwimmingShape &shape, Rows &rows, Rows &flows) const
+  void PhaseTable::add_second_half(const Surface &surface)
   {
     const unsigned int              n_motions = 6 + n_modes;
-    const std::vector<unsigned int> images =
-        find_mirror_images(shape.surface.get_reference_points(), 1);
+    const std::vector<unsigned int> images = find_mirror_images(surface.get_reference_points(), 1);
     for (unsigned int k = 0; k < get_n_computed(); ++k)
     {
-      StrokeState signs = make_state(rows[k]);
-      rows.push_back(rows[k]);
-      auto number = rows.back().begin();
+      StrokeState signs = make_state(states[k]);
+      states.push_back(states[k]);
+      auto number = states.back().begin();
       visit_state(signs, n_drives, [&](double, const double sign) { *number++ *= sign; });
-      flows.emplace_back();
+      potentials.emplace_back();
       for (const unsigned int node : images)
         for (unsigned int l = 0; l < n_motions; ++l)
-          flows.back().push_back(get_mirror_sign(l) * flows[k][node * n_motions + l]);
+          potentials.back().push_back(get_mirror_sign(l) * potentials[k][node * n_motions + l]);
     }
   }
 
@@ -135,12 +134,12 @@ namespace caudal::ideal
 
   MotionCoefficients PhaseTable::compute_motion(const double psi)
   {
-    return unpack_motion(states->values(psi, 0, motion_end));
+    return unpack_motion(interpolate(states, psi, 0, motion_end));
   }
 
   StrokeState PhaseTable::compute_state(const double psi)
   {
-    StrokeState     state = make_state(states->values(psi, 0, states->n_functions()));
+    StrokeState     state = make_state(interpolate(states, psi, 0, states[0].size()));
     const GaitState at    = gait.evaluate(psi);
     state.c               = at.c;
     state.rates           = at.rates;
@@ -150,21 +149,21 @@ namespace caudal::ideal
   std::vector<double> PhaseTable::compute_torques(const double psi, const Drive &drive)
   {
     const unsigned int middle = momenta_begin + n_modes * n_drives;
-    return compute_lagrange_torques({states->values(psi, momenta_begin, middle),
-                                     states->values(psi, middle, states->n_functions())},
-                                    states->derivatives(psi, momenta_begin, middle), n_modes,
+    return compute_lagrange_torques({interpolate(states, psi, momenta_begin, middle),
+                                     interpolate(states, psi, middle, states[0].size())},
+                                    interpolate(states, psi, momenta_begin, middle, true), n_modes,
                                     drive);
   }
 
   Tensor<1, 3> PhaseTable::compute_centre_rate(const double psi)
   {
-    const std::vector<double> rate = states->derivatives(psi, centre_begin, momenta_begin);
+    const std::vector<double> rate = interpolate(states, psi, centre_begin, momenta_begin, true);
     return Tensor<1, 3>({rate[0], rate[1], rate[2]});
   }
 
   FullMatrix<double> PhaseTable::compute_potentials(const double psi)
   {
-    const std::vector<double> values = potentials->values(psi, 0, potentials->n_functions());
+    const std::vector<double> values = interpolate(potentials, psi, 0, potentials[0].size());
     return FullMatrix<double>(values.size() / (6 + n_modes), 6 + n_modes, values.data());
   }
 } // namespace caudal::ideal

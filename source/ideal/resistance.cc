@@ -9,52 +9,43 @@ namespace caudal::ideal
 {
   namespace
   {
-    /** An element of the surface: place, area N, velocity and velocities of the modes. */
-    struct Element
+    struct SurfaceElement
     {
-      Tensor<1, 3>              X, N, u;
-      std::vector<Tensor<1, 3>> modes;
+      unsigned int cell, q;
+      Tensor<1, 3> N; ///< area times normal [m^2]
+      Tensor<1, 3> u; ///< velocity [m/s]
     };
 
-    std::vector<Element> compute_elements(const SwimmingShape &shape, const ReferenceRule &rule,
-                                          const MotionInstant &instant)
+    std::vector<SurfaceElement> compute_elements(const Surface &surface, const ReferenceRule &rule,
+                                                 const std::vector<Point<3>>     &places,
+                                                 const std::vector<Tensor<1, 3>> &velocities)
     {
-      const GaitState      gait   = shape.gait.evaluate(instant.argument);
-      const SurfaceMotion  motion = shape.deformation.place(gait.c);
-      std::vector<Element> elements;
-      for (unsigned int cell = 0; cell < shape.surface.n_cells(); ++cell)
+      std::vector<SurfaceElement> elements;
+      for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
       {
-        const auto         &nodes = shape.surface.get_nodes(cell);
-        CellArray<Point<3>> places;
+        const auto         &nodes = surface.get_nodes(cell);
+        CellArray<Point<3>> cell_places;
         for (unsigned int k = 0; k < nodes.size(); ++k)
-          places[k] = motion.positions[nodes[k]];
-        const PlacedRule at(rule, places);
+          cell_places[k] = places[nodes[k]];
+        const PlacedRule at(rule, cell_places);
         for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          Element element{Tensor<1, 3>(at.points[q]), at.areas[q], {}, {}};
-          element.u = get_linear(instant.velocity) +
-                      cross_product_3d(get_angular(instant.velocity), element.X);
-          element.modes.resize(gait.c.size());
-          for (unsigned int i = 0; i < gait.c.size(); ++i)
-          {
-            for (unsigned int k = 0; k < nodes.size(); ++k)
-              element.modes[i] += rule.values[q][k] * motion.modes[i][nodes[k]];
-            element.u += instant.rate * gait.rates[i] * element.modes[i];
-          }
-          elements.push_back(element);
+          elements.push_back({cell, q, at.areas[q], Tensor<1, 3>()});
+          for (unsigned int k = 0; k < nodes.size(); ++k)
+            elements.back().u += rule.values[q][k] * velocities[nodes[k]];
         }
       }
       return elements;
     }
 
-    /** C_f, given or by Blasius's law. */
+    /** C_f, given or by Blasius's law for the root mean square of the velocity. */
     double compute_friction(const ResistanceParameters &parameters, const double length,
-                            const std::vector<Element> &elements)
+                            const std::vector<SurfaceElement> &elements)
     {
       if (parameters.friction > 0.)
         return parameters.friction;
       double area = 0., squares = 0.;
-      for (const Element &element : elements)
+      for (const SurfaceElement &element : elements)
       {
         area += element.N.norm();
         squares += element.N.norm() * element.u.norm_square();
@@ -93,13 +84,16 @@ namespace caudal::ideal
       return {};
     const auto rule = std::make_shared<ReferenceRule>(QGauss<2>(2), shape.surface.get_fe());
     return [parameters, &shape, rule](const MotionInstant &instant) {
-      const std::vector<Element> elements = compute_elements(shape, *rule, instant);
-      const double               friction =
+      const GaitState     gait   = shape.gait.evaluate(instant.argument);
+      const SurfaceMotion motion = shape.deformation.place(gait.c);
+      const auto          elements =
+          compute_elements(shape.surface, *rule, motion.positions,
+                           motion.compute_velocities(instant.velocity, gait.rates, instant.rate));
+      const double friction =
           compute_friction(parameters, shape.deformation.get_length(), elements);
-      Tensor<1, 3> force, torque;
-      Load         load;
-      load.on_modes.resize(shape.deformation.n_modes(), 0.);
-      for (const Element &element : elements)
+      Load load;
+      load.on_modes.resize(motion.modes.size(), 0.);
+      for (const SurfaceElement &element : elements)
       {
         const double       area   = element.N.norm();
         const Tensor<1, 3> normal = element.N / area;
@@ -108,12 +102,16 @@ namespace caudal::ideal
         const Tensor<1, 3> df =
             -0.5 * shape.densities.fluid * area *
             (friction * u_t.norm() * u_t + parameters.drag * std::abs(u_n) * u_n * normal);
-        force += df;
-        torque += cross_product_3d(element.X, df);
-        for (std::size_t i = 0; i < element.modes.size(); ++i)
-          load.on_modes[i] += df * element.modes[i];
+        const auto &nodes = shape.surface.get_nodes(element.cell);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+        {
+          const Tensor<1, 3> at_node = rule->values[element.q][k] * df;
+          const Tensor<1, 3> X(motion.positions[nodes[k]]);
+          load.screw += make_screw(cross_product_3d(X, at_node), at_node);
+          for (unsigned int i = 0; i < motion.modes.size(); ++i)
+            load.on_modes[i] += at_node * motion.modes[i][nodes[k]];
+        }
       }
-      load.screw = make_screw(torque, force);
       return load;
     };
   }

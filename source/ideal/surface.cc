@@ -25,21 +25,13 @@ namespace caudal::ideal
     /** Each edge has to belong to two cells that run through it in opposite directions. */
     void check_closed(const Triangulation<2, 3> &triangulation, const std::string &file_name)
     {
-      std::map<std::pair<unsigned int, unsigned int>, unsigned int> edges;
       for (const auto &cell : triangulation.active_cell_iterators())
       {
-        const unsigned int around[] = {0, 1, 3, 2, 0};
-        for (unsigned int i = 0; i < 4; ++i)
-          ++edges[{cell->vertex_index(around[i]), cell->vertex_index(around[i + 1])}];
-      }
-      for (const auto &[edge, count] : edges)
-      {
-        const auto opposite = edges.find({edge.second, edge.first});
-        AssertThrow(count == 1,
+        AssertThrow(cell->direction_flag(),
                     ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is inverted in a part: two neighbouring quadrilaterals have "
                                "opposite normals. Orient all of them outwards."));
-        AssertThrow(opposite != edges.end(),
+        AssertThrow(!cell->at_boundary(),
                     ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is open: an edge belongs to one quadrilateral only. Close the "
                                "surface and merge nodes that coincide."));
@@ -139,6 +131,21 @@ namespace caudal::ideal
       for (Point<3> &point : reference_points)
         point = project_to_sphere(point);
     mirror_images = find_mirror_images(reference_points, 2);
+  }
+
+  std::vector<Tensor<1, 3>> SurfaceMotion::compute_velocities(const Screw               &rigid,
+                                                              const std::vector<double> &rates,
+                                                              const double               rate) const
+  {
+    std::vector<Tensor<1, 3>> velocities;
+    for (unsigned int node = 0; node < positions.size(); ++node)
+    {
+      velocities.push_back(get_linear(rigid) +
+                           cross_product_3d(get_angular(rigid), Tensor<1, 3>(positions[node])));
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        velocities.back() += rate * rates[i] * modes[i][node];
+    }
+    return velocities;
   }
 
   std::vector<unsigned int> find_mirror_images(const std::vector<Point<3>> &points,

@@ -1,4 +1,3 @@
-#include <caudal/ideal/surface_fields.h>
 #include <caudal/ideal/surface_output.h>
 
 #include <deal.II/fe/fe_system.h>
@@ -9,6 +8,65 @@ namespace caudal::ideal
 {
   namespace
   {
+    /** The flow on the surface, at its nodes; vectors in the frame of the positions. */
+    struct SurfaceFields
+    {
+      Vector<double>            pressure; ///< p - p_infinity [Pa]
+      std::vector<Tensor<1, 3>> velocity; ///< of the fluid, grad phi [m/s]
+    };
+
+    /**
+     * The pressure by Bernoulli's equation with the rate of change that a node sees as it moves,
+     *   p = -rho (delta phi/delta t - u.grad phi + |grad phi|^2/2),
+     * grad phi being composed of its tangential part, by differentiation along the surface and
+     * averaged over the cells that meet in a node, and of the given normal part u.n.
+     */
+    SurfaceFields compute_surface_fields(const Surface &surface, const std::vector<Point<3>> &nodes,
+                                         const std::vector<Tensor<1, 3>> &node_velocities,
+                                         const Vector<double>            &potential,
+                                         const Vector<double> &potential_rate, const double density)
+    {
+      const unsigned int        n = surface.n_nodes();
+      SurfaceFields             fields{Vector<double>(n), std::vector<Tensor<1, 3>>(n)};
+      std::vector<unsigned int> n_cells(n, 0);
+      const ReferenceRule       at_nodes(Quadrature<2>(surface.get_fe().get_unit_support_points()),
+                                         surface.get_fe());
+      for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+      {
+        const auto &cell_nodes = surface.get_nodes(cell);
+        for (unsigned int q = 0; q < cell_nodes.size(); ++q)
+        {
+          Tensor<1, 3> along_x, along_y;
+          Tensor<1, 2> derivative;
+          for (unsigned int k = 0; k < cell_nodes.size(); ++k)
+          {
+            const Tensor<1, 2> &gradient = at_nodes.gradients[q][k];
+            along_x += gradient[0] * nodes[cell_nodes[k]];
+            along_y += gradient[1] * nodes[cell_nodes[k]];
+            derivative += potential(cell_nodes[k]) * gradient;
+          }
+          Tensor<1, 3> normal = cross_product_3d(along_x, along_y);
+          const double area   = normal.norm();
+          normal /= area;
+          const Tensor<1, 3> dual_x = cross_product_3d(along_y, normal) / area;
+          const Tensor<1, 3> dual_y = cross_product_3d(normal, along_x) / area;
+          const auto         node   = cell_nodes[q];
+          fields.velocity[node] += derivative[0] * dual_x + derivative[1] * dual_y +
+                                   (node_velocities[node] * normal) * normal;
+          ++n_cells[node];
+        }
+      }
+      for (unsigned int node = 0; node < n; ++node)
+      {
+        Tensor<1, 3> &gradient = fields.velocity[node];
+        gradient /= n_cells[node];
+        fields.pressure(node) =
+            -density * (potential_rate(node) - node_velocities[node] * gradient +
+                        0.5 * gradient.norm_square());
+      }
+      return fields;
+    }
+
     /** Values at the nodes as those of the unknowns of a field of vectors. */
     template <class VectorType>
     Vector<double> make_field(const DoFHandler<2, 3> &handler, const Surface &surface,
@@ -65,7 +123,7 @@ namespace caudal::ideal
     return potential;
   }
 
-  /** Its derivative by time at the moving nodes, by a difference. */
+  /** The potential's derivative by time at the moving nodes, by a difference. */
   Vector<double> SurfaceOutput::compute_potential_rate(const MotionSample  &sample,
                                                        const MotionProblem &problem) const
   {
@@ -90,16 +148,13 @@ namespace caudal::ideal
 
     // Places and velocities in the inertial frame
     std::vector<Point<3>>     places;
-    std::vector<Tensor<1, 3>> velocities;
+    std::vector<Tensor<1, 3>> velocities =
+        motion.compute_velocities(sample.velocity, gait.rates, rate);
     for (unsigned int node = 0; node < shape.surface.n_nodes(); ++node)
     {
       const Tensor<1, 3> X(motion.positions[node]);
-      Tensor<1, 3>       u =
-          get_linear(sample.velocity) + cross_product_3d(get_angular(sample.velocity), X);
-      for (std::size_t i = 0; i < gait.rates.size(); ++i)
-        u += rate * gait.rates[i] * motion.modes[i][node];
       places.emplace_back(sample.body.position + sample.body.rotate(X));
-      velocities.push_back(sample.body.rotate(u));
+      velocities[node] = sample.body.rotate(velocities[node]);
     }
     const Vector<double> potential = compute_potential(sample, Screw(), sample.time, rate);
     const SurfaceFields  flow =

@@ -38,8 +38,8 @@ namespace caudal::ideal
 
   /**
    * The solved boundary integral equations of a surface in one position; see
-   * BoundaryElements. If the surface and its modes are symmetric, z -> -z, the equations of
-   * symmetric and antisymmetric potentials are solved separately, each on one half.
+   * BoundaryElements. If the surface and its modes are symmetric, z -> -z, the equations of one
+   * half are computed, and those of the other half are their mirror images.
    */
   class ExteriorFlow
   {
@@ -79,16 +79,6 @@ namespace caudal::ideal
     bool interact(const Vector<double> &u, const Vector<double> &v) const;
 
   private:
-    /** The equations of potentials of one symmetry; both unknowns and equations at nodes. */
-    struct Equations
-    {
-      int                                  sign = 0; ///< of phi(x, y, -z)/phi(x, y, z), or 0
-      std::vector<types::global_dof_index> nodes;
-      std::vector<unsigned int>            motions;
-      LAPACKFullMatrix<double>             matrix;     ///< A, then its factors
-      LAPACKFullMatrix<double>             potentials; ///< -b, then phi; by node, motion
-    };
-
     /** A flow on the whole surface, at the nodes. */
     struct NodalFlow
     {
@@ -102,25 +92,24 @@ namespace caudal::ideal
       std::vector<Tensor<1, 3>> place, velocity;
     };
 
-    void compute_velocities();
-    void split_by_symmetry();
-    void assemble();
-    void add_equation(Equations &equations, unsigned int k, const Vector<double> &double_layer,
-                      const std::vector<Tensor<1, 3>> &single_layer) const;
-    void solve(Equations &equations);
-    void integrate();
+    void                     compute_velocities();
+    LAPACKFullMatrix<double> assemble(); // returns -b by node, motion
+    void                     solve(LAPACKFullMatrix<double> right_hand_sides);
+    void                     integrate();
 
-    /** A row over all nodes, as one over the half that the equations know. */
-    Vector<double> fold(const Equations &equations, const Vector<double> &row) const;
+    /** The nodes whose equations this rank computes: a share of all, or of one half. */
+    std::vector<unsigned int> get_own_nodes() const;
 
-    std::vector<double>
-                  compute_energy_gradient(const Equations &equations, const std::vector<double> &u,
-                                          const std::vector<std::vector<Tensor<1, 3>>> &rates);
-    NodalGradient differentiate(const Equations &equations, const NodalFlow &flow,
-                                const Vector<double> &adjoint);
-    void differentiate_rule(const Equations &equations, unsigned int cell, unsigned int rule,
-                            const std::vector<unsigned int> &observers, const NodalFlow &flow,
-                            const Vector<double> &adjoint, NodalGradient &gradient) const;
+    /** What the mirror z -> -z does to a motion; 1 if the surface is not symmetric. */
+    double get_mirror_sign(unsigned int motion) const;
+
+    /** The motions of this mirror sign. */
+    Vector<double> extract_part(const Vector<double> &motions, double sign) const;
+
+    NodalGradient differentiate_energy(const Vector<double> &u);
+    void          differentiate_rule(unsigned int cell, unsigned int rule,
+                                     const std::vector<unsigned int> &observers, const NodalFlow &flow,
+                                     const Vector<double> &adjoint, NodalGradient &gradient) const;
 
     const Surface                         &surface;
     const SurfaceMotion                    motion;
@@ -129,7 +118,9 @@ namespace caudal::ideal
     PlacedSurface                          placed;
     std::vector<std::vector<Tensor<1, 3>>> velocities; // u_l by motion, node
     FullMatrix<double>                     fluxes;     // int N_i u_l.n dS by node, motion
-    std::vector<Equations>                 systems;
+    const bool                             is_symmetric;
+    std::vector<unsigned int>              images; // of the nodes, or themselves
+    LAPACKFullMatrix<double>               matrix; // A, then its factors
     Potentials                             potentials;
   };
 } // namespace caudal::ideal

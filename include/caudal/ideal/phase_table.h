@@ -2,7 +2,6 @@
 #define caudal_ideal_phase_table_h
 
 #include <caudal/ideal/stroke_model.h>
-#include <caudal/ideal/trigonometric_table.h>
 
 namespace caudal::ideal
 {
@@ -33,17 +32,14 @@ namespace caudal::ideal
     }
 
   private:
-    /** Numbers by phase. */
-    using Rows = std::vector<std::vector<double>>;
-
-    void        add_second_half(const SwimmingShape &shape, Rows &rows, Rows &flows) const;
+    void        add_second_half(const Surface &surface);
     StrokeState make_state(const std::vector<double> &row) const;
 
-    const Gait                         &gait;
-    const unsigned int                  n_modes, n_drives, n_phases;
-    const bool                          is_mirrored;
-    std::unique_ptr<TrigonometricTable> states;
-    std::unique_ptr<TrigonometricTable> potentials; // by node and motion
+    const Gait                      &gait;
+    const unsigned int               n_modes, n_drives, n_phases;
+    const bool                       is_mirrored;
+    std::vector<std::vector<double>> states;     // numbers by phase
+    std::vector<std::vector<double>> potentials; // by phase, then node and motion
   };
 } // namespace caudal::ideal
 

@@ -1,6 +1,8 @@
 #ifndef caudal_ideal_surface_h
 #define caudal_ideal_surface_h
 
+#include <caudal/ideal/screw.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -112,6 +114,13 @@ namespace caudal::ideal
   /** Where the nodes of a surface are, and how they move if each mode c_i has unit rate. */
   struct SurfaceMotion
   {
+    /**
+     * The velocities of the nodes [m/s] of a body that moves with @p rigid = (omega, v) and
+     * deforms at @p rate times the @p rates dc_i/dpsi.
+     */
+    std::vector<Tensor<1, 3>>
+    compute_velocities(const Screw &rigid, const std::vector<double> &rates, double rate) const;
+
     std::vector<Point<3>>                  positions; ///< X [m], body frame
     std::vector<std::vector<Tensor<1, 3>>> modes;     ///< dX/dc_i by mode and node [m]
 
