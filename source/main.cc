@@ -1,13 +1,17 @@
 #include <caudal/app/model_run.h>
 #include <caudal/app/verify_restart.h>
+#include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
-#include <caudal/ideal/potential_swimmer.h>
+#include <caudal/base/version.h>
+#include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <iostream>
 #include <malloc.h>
 #include <thread>
@@ -49,6 +53,21 @@ namespace
 #endif
   }
 
+  /**
+   * Each rank has a core, for which the threads of a BLAS would compete: it uses one, unless the
+   * environment says otherwise. It has read the environment when it was loaded, so that it has to
+   * be told by its own function, which only that library has.
+   */
+  void use_one_blas_thread()
+  {
+    if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("MKL_NUM_THREADS") ||
+        std::getenv("OMP_NUM_THREADS"))
+      return;
+    for (const char *name : {"openblas_set_num_threads", "MKL_Set_Num_Threads"})
+      if (void *function = dlsym(RTLD_DEFAULT, name))
+        reinterpret_cast<void (*)(int)>(function)(1);
+  }
+
   /** All ranks stop if one has got the signal. */
   bool stop_requested()
   {
@@ -83,8 +102,9 @@ namespace
 
   /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
   template <class Swimmer>
-  Exit run_model(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_model(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(Swimmer::Parameters::get_renamed_entries());
     using Action                  = CommandLine::Action;
     const unsigned int n_verified = 10; // steps
     if (command_line.action == Action::verify_restart)
@@ -105,8 +125,9 @@ namespace
   }
 
   template <int dim>
-  Exit run_elastic(const ParameterFile &file, const CommandLine &command_line)
+  Exit run_elastic(ParameterFile &file, const CommandLine &command_line)
   {
+    file.rename(BodyGridParameters<dim>::get_renamed_entries());
     using Action = CommandLine::Action;
     ElasticParameters<dim> parameters(&file);
     AssertThrow(command_line.action != Action::resume &&
@@ -114,9 +135,12 @@ namespace
                 ExcMessage("Model: runs of the model " + parameters.model +
                            " write no checkpoints. Start the run anew."));
     ParameterHandler prm;
+    FigureParameters figures;
     parameters.declare(prm);
+    figures.add_parameters(prm);
     file.parse(prm);
     parameters.check();
+    figures.check();
 
     // What can be wrong with the case is found before anything is written.
     ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
@@ -124,7 +148,7 @@ namespace
     {
       std::ostringstream summary;
       body.print_summary(summary);
-      print(summary.str() + "Nothing speaks against a run.\n");
+      print(summary.str() + "No problems found.\n");
       return finished;
     }
     const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);
@@ -132,10 +156,15 @@ namespace
     prm.print_parameters(used_parameters, ParameterHandler::PRM);
     folder.write_parameters(used_parameters.str());
     Log log(folder.path("log.txt"), MPI_COMM_WORLD);
+    if (figures.are_printed())
+      log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
     for (const std::string &override_text : file.get_overrides())
       log << "Override: " << override_text << std::endl;
-    return get_exit(body.run(folder, log, stop_requested));
+    const Outcome outcome = body.run(folder, log, stop_requested);
+    if (outcome == Outcome::finished)
+      print_figures(figures, parameters.output.folder, MPI_COMM_WORLD);
+    return get_exit(outcome);
   }
 
   /** The parameters of the run in a folder of results, with overrides. */
@@ -156,6 +185,7 @@ namespace
   {
     ParameterHandler prm;
     parameters.declare(prm);
+    FigureParameters().add_parameters(prm);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       print_parameters(std::cout, prm, format);
     return finished;
@@ -182,15 +212,16 @@ namespace
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    load_libraries(file ? file->get("Libraries", "") : "");
     const std::string model = file ? get_model(*file) : "immersed";
     if (command_line.action == CommandLine::Action::print_parameters)
       return model == "potential"
-                 ? print_model_parameters(PotentialParameters(), command_line.format)
+                 ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
     if (model == "potential")
-      return run_model<PotentialSwimmer>(*file, command_line);
+      return run_model<IdealSwimmer>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
       return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);
@@ -204,21 +235,10 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   catch_signals();
   keep_freed_memory();
-  std::string error;
-  try
-  {
-    return run(argc, argv);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
-    std::ostringstream text;
-    exception.print_info(text);
-    error = dealii::Utilities::trim(text.str());
-  }
-  catch (const std::exception &exception)
-  {
-    error = exception.what();
-  }
-  report_error(error);
-  return failed;
+  use_one_blas_thread();
+  Exit              exit  = failed;
+  const std::string error = catch_error([&]() { exit = run(argc, argv); });
+  if (!error.empty())
+    report_error(error);
+  return exit;
 }

@@ -21,7 +21,7 @@ def parse(arguments):
     parser.add_argument("--list", action="store_true", help="lists the cases and what they cost")
     parser.add_argument("--ranks", type=int, default=1, help="MPI processes of each run")
     parser.add_argument("--folder", type=pathlib.Path,
-                        default=runs.ROOT / "output" / "benchmarks", help="where results go")
+                        default=runs.RESULTS / "benchmarks", help="where results go")
     options = parser.parse_args(arguments)
     unknown = [name for name in options.names if name not in CASES]
     if unknown:

@@ -6,7 +6,8 @@ import re
 import subprocess
 import time
 
-from caudal_plots.program import ENVIRONMENT, PROGRAM, ROOT
+from caudal_plots.program import (ENVIRONMENT, PROGRAM, RESULTS, ROOT, get_mpirun,
+                                   read_program)
 from caudal_plots.results import Run
 
 
@@ -28,7 +29,7 @@ def read_with_includes(prm):
 def get_fingerprint(prm, overrides):
     """Of all that decides on the results: the case, the overrides and the program."""
     text = "\n".join(read_with_includes(ROOT / prm) + list(overrides))
-    return hashlib.sha256(text.encode() + PROGRAM.read_bytes()).hexdigest()
+    return hashlib.sha256(text.encode() + read_program()).hexdigest()
 
 
 def run(prm, folder, overrides=(), ranks=1):
@@ -37,8 +38,7 @@ def run(prm, folder, overrides=(), ranks=1):
     stamp, fingerprint = folder / "fingerprint.txt", get_fingerprint(prm, overrides)
     if stamp.is_file() and stamp.read_text(encoding="utf-8").split()[0] == fingerprint:
         return Run(folder)
-    command = ["mpirun.openmpi", "--quiet", "-np", str(ranks), str(PROGRAM), prm,
-               "-D", f"Output/Folder={folder}"]
+    command = [*get_mpirun(ranks), str(PROGRAM), prm, "-D", f"Output/Folder={folder}"]
     for override in overrides:
         command += ["-D", override]
     begin = time.time()

@@ -48,7 +48,7 @@ def parse(arguments):
     parser.add_argument("--peer", action="store_true",
                         help="also what other programs need for FSI3, as measured elsewhere")
     parser.add_argument("--folder", type=pathlib.Path,
-                        default=timed_run.ROOT / "output" / "benchmarks" / "speed",
+                        default=timed_run.RESULTS / "benchmarks" / "speed",
                         help="where the tables go")
     return parser.parse_args(arguments)
 

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import time
 
-from caudal_plots.program import ENVIRONMENT, PROGRAM, ROOT
+from caudal_plots.program import ENVIRONMENT, PROGRAM, RESULTS, ROOT, get_mpirun
 from caudal_plots.results import Run
 
 from .runs import RunError
@@ -100,7 +100,7 @@ def run(case, folder, end_time=None, steps=None, ranks=1):
     shutil.rmtree(folder, ignore_errors=True)
     if steps is not None:
         end_time = steps * get_step(case.prm)
-    command = ["mpirun.openmpi", "--quiet", "-np", str(ranks)] if ranks > 1 else []
+    command = get_mpirun(ranks) if ranks > 1 else []
     command += [str(PROGRAM), case.prm]
     for override in (*case.overrides, f"Output/Folder={folder}", f"Time/End time={end_time}"):
         command += ["-D", override]

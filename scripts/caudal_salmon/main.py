@@ -27,7 +27,7 @@ def main(arguments):
         print(f"There is no {runs.PROGRAM}: scripts/setup builds it.", file=sys.stderr)
         return 1
     kind = "sweep" if options.sweep else "mesh" if options.mesh else "study"
-    folder = (options.folder or runs.ROOT / "output" / f"salmon_{kind}").resolve()
+    folder = (options.folder or runs.RESULTS / f"salmon_{kind}").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     try:
         if options.sweep:

@@ -75,7 +75,7 @@ def draw_stroke(axes, series, f, limit, turn):
 
 
 def draw_way(axes, series, limit, turn):
-    """The fish at the start, half-way and at the end, one below the other."""
+    """The fish at the start, in the middle and at the end of the swim, stacked."""
     return np.concatenate([draw_named(axes, series, index, limit, turn, LATTICE * (0, -k))
                            for k, index in enumerate((0, len(series) // 2, len(series) - 1))])
 
@@ -92,7 +92,7 @@ def draw_swimming(folder, swims, title):
         seen[0].append(draw_stroke(panels[0], series, f, limit, turn))
         seen[1].append(draw_way(panels[1], series, limit, turn))
         panels[0].set_title(f"{case.replace('_', ' ')}, {f} Hz: second stroke")
-        panels[1].set_title("its way to the left, one below the other")
+        panels[1].set_title("start, middle and end of the swim, to the left")
         figure.colorbar(panels[1].collections[0], ax=panels[1], label="pressure [Pa]", shrink=0.6,
                         aspect=12, ticks=(-limit, 0, limit), extend="both")
     for column, groups in seen.items():  # in the same scale and window

@@ -8,7 +8,7 @@ import subprocess
 
 import numpy as np
 
-from caudal_plots.program import ENVIRONMENT, PROGRAM, ROOT
+from caudal_plots.program import ENVIRONMENT, PROGRAM, RESULTS, ROOT
 
 
 class RunError(Exception):

@@ -15,7 +15,7 @@ REFERENCE = 0.95  # the frequency at which shapes are compared [Hz]
 def run_all(folder):
     for case in CASES:
         cost = runs.run(runs.ROOT / "prm" / "salmon" / f"{case}.prm", folder / case,
-                        ["Gait/Frequency=" + ", ".join(map(str, FREQUENCIES)),
+                        ["Body fish/Gait/Frequency=" + ", ".join(map(str, FREQUENCIES)),
                          "Output/Interval of fields=0.1"])
         print(f"{case}: " + ("known already" if cost is None else f"{cost:.1f} s of CPU"), flush=True)
 

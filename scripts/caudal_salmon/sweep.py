@@ -10,7 +10,7 @@ from caudal_plots import style
 
 from . import runs
 
-FREQUENCY = "Gait/Frequency"
+FREQUENCY = "Gait/Frequency"  # of the body
 PLOTTED = {"distance": "cm", "displacement a stroke": "cm", "turn a stroke": "degrees",
            "mean kinetic energy": "J", "mean gross power": "W", "cost of transport": "J/(kg m)"}
 LEAST_TURN = 1e-3  # [degrees]; less is rounding
@@ -32,7 +32,7 @@ def parse(text):
 
 def run_values(case, entry, values, folder, overrides):
     """Rows of results with the value in front. Runs that are there already are kept."""
-    if entry == FREQUENCY:  # all from one table of phases
+    if entry.endswith(FREQUENCY):  # all from one table of phases
         runs.run(case, folder / "run", [*overrides, f"{entry}=" + ", ".join(map(str, values))])
         return list(zip(values, runs.read_summary(folder / "run")))
 
@@ -52,7 +52,7 @@ def draw(entry, rows, path):
     figure, axes = style.make_figure(2, 3, 4.8)
     for panel, name in zip(axes.flat, names):
         for frequency in sorted({result["frequency"] for _, result in rows}) \
-                if entry != FREQUENCY else [None]:
+                if not entry.endswith(FREQUENCY) else [None]:
             chosen = [(value, result[name]) for value, result in rows
                       if frequency in (None, result["frequency"])]
             panel.plot(*np.array(chosen).T, "o-", markersize=3,
@@ -66,7 +66,7 @@ def draw(entry, rows, path):
         panel.set_xlabel(entry)
     for panel in axes.flat[len(names):]:
         panel.set_visible(False)
-    if entry != FREQUENCY:
+    if not entry.endswith(FREQUENCY):
         axes[0, 0].legend()
     figure.savefig(path)
     style.close(figure)

@@ -1,4 +1,5 @@
 #include <caudal/base/command_line.h>
+#include <caudal/base/version.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -96,7 +97,7 @@ namespace caudal
            "                              check the case; show its size, how it is resolved, what "
            "it\n"
            "                              will cost (from four steps, not with --fast), and "
-           "doubts\n"
+           "warnings\n"
            "  caudal --print-parameters [prm|md] [file.prm]\n"
            "                              show all parameters (those of the case) with their\n"
            "                              defaults, as a parameter file or as Markdown\n"
@@ -113,10 +114,5 @@ namespace caudal
            "Exit codes: 0 finished, 1 error, 2 stopped on request (SIGINT, SIGTERM, SIGUSR1) or "
            "by\n"
            "Checkpoint/Wall time limit, with a checkpoint to resume from.\n";
-  }
-
-  std::string get_version()
-  {
-    return "Caudal " CAUDAL_VERSION;
   }
 } // namespace caudal

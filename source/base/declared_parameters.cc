@@ -35,11 +35,21 @@ namespace caudal
       return what;
     }
 
+    const std::regex selection(R"(\[Selection (.*?) ?\])");
+
+    /** The names that a pattern allows, if it is a selection. */
+    std::vector<std::string> extract_choices(const std::string &pattern)
+    {
+      std::smatch match;
+      return std::regex_match(pattern, match, selection)
+                 ? Utilities::split_string_list(match[1].str(), '|')
+                 : std::vector<std::string>();
+    }
+
     /** Puts what a pattern says of itself, "[Double 0...1 (inclusive)]", into words. */
     std::string describe_pattern(const std::string &pattern)
     {
       static const std::regex range(R"(\[(Double|Integer range) (\S+)\.\.\.(\S+) \(inclusive\)\])");
-      static const std::regex selection(R"(\[Selection (.*?) ?\])");
       static const std::regex list(R"(\[List of <(.*)> of length (\d+)\.\.\.(\d+) \(inclusive\))"
                                    R"((?: separated by <(.*)>)?\])");
 
@@ -80,22 +90,25 @@ namespace caudal
       DeclaredSection section{name, {}, {}};
       for (const auto &[child_name, child] : tree)
         if (child.count("pattern_description") > 0)
-          section.entries.push_back(
-              {child_name, child.get<std::string>("default_value"),
-               describe_pattern(child.get<std::string>("pattern_description")),
-               child.get<std::string>("documentation")});
+        {
+          const auto pattern = child.get<std::string>("pattern_description");
+          section.entries.push_back({child_name, child.get<std::string>("value"),
+                                     child.get<std::string>("default_value"),
+                                     describe_pattern(pattern), extract_choices(pattern),
+                                     child.get<std::string>("documentation")});
+        }
         else if (child.count("alias") == 0)
           section.sections.push_back(extract_section(child_name, child));
       return section;
     }
 
-    void collect_values(const Tree &tree, const std::string &path, ParameterValues &values)
+    void collect_values(const DeclaredSection &section, const std::string &path,
+                        ParameterValues &values)
     {
-      for (const auto &[name, child] : tree)
-        if (child.count("pattern_description") > 0)
-          values[path + name] = child.get<std::string>("value");
-        else if (child.count("alias") == 0)
-          collect_values(child, path + name + "/", values);
+      for (const DeclaredEntry &entry : section.entries)
+        values[path + entry.name] = entry.value;
+      for (const DeclaredSection &inner : section.sections)
+        collect_values(inner, path + inner.name + "/", values);
     }
 
     /** ParameterHandler's inner names separate sections by '.' and write ' ' as "_20". */
@@ -160,7 +173,7 @@ namespace caudal
   ParameterValues extract_values(const ParameterHandler &prm)
   {
     ParameterValues values;
-    collect_values(extract_tree(prm), "", values);
+    collect_values(extract_declared_parameters(prm), "", values);
     return values;
   }
 

@@ -1,5 +1,6 @@
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/parameter_file.h>
+#include <caudal/base/plugin.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -7,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <optional>
+#include <regex>
 #include <sstream>
 
 namespace caudal
@@ -102,6 +105,46 @@ namespace caudal
              "Known there: " + join(known, ", ") + ".";
     }
 
+    /** A pattern of the paths that are @p path with its `*`, or lead into this section. */
+    std::regex make_pattern(const std::string &path)
+    {
+      static const std::regex special(R"([.+()\[\]{}^$|?\\])"), star(R"(\*)");
+      const std::string       plain = std::regex_replace(path, special, R"(\$&)");
+      return std::regex(std::regex_replace(plain, star, "([^/]*)") + "(/.*)?");
+    }
+
+    /** The present name of what once was @p path, if @p renamed is about it. */
+    std::optional<std::string> find_new_path(const std::string &path, const RenamedEntry &renamed)
+    {
+      std::smatch match;
+      if (!std::regex_match(path, match, make_pattern(renamed.old_path)))
+        return {};
+      std::string  new_path;
+      unsigned int n_stars = 0;
+      for (const char c : renamed.new_path)
+        new_path += c == '*' ? match[++n_stars].str() : std::string(1, c);
+      return new_path + match[match.size() - 1].str();
+    }
+
+    std::size_t count_names(const std::string &path)
+    {
+      return Utilities::split_string_list(path, '/').size();
+    }
+
+    /**
+     * Whether something within the section @p sections was renamed. A section of a body, whose
+     * name is the user's, is not one of a former version.
+     */
+    bool holds_former_names(const std::vector<std::string> &sections, const RenamedEntry &renamed)
+    {
+      std::vector<std::string> outer = Utilities::split_string_list(renamed.old_path, '/');
+      if (outer.size() <= sections.size())
+        return false;
+      outer.resize(sections.size());
+      return outer.back().find('*') == std::string::npos &&
+             std::regex_match(join(sections, "/"), make_pattern(join(outer, "/")));
+    }
+
     /** The declared section of that path, or nullptr. */
     const DeclaredSection *find_section(const DeclaredSection          &declared,
                                         const std::vector<std::string> &sections)
@@ -111,6 +154,22 @@ namespace caudal
         if (found != nullptr)
           found = found->find_section(name);
       return found;
+    }
+
+    /**
+     * Whether the section @p name within @p outer holds the parameters of a plug-in that the entry
+     * @p choice could have chosen.
+     */
+    bool is_idle(const std::string &name, const DeclaredSection &outer, const DeclaredEntry &choice)
+    {
+      const auto &plugins   = choice.choices;
+      const bool  is_prefix = std::any_of(plugins.begin(), plugins.end(), [&](const auto &plugin) {
+        return outer.find_section(get_plugin_section(choice.name + " " + plugin)) != nullptr;
+      });
+      const auto  belongs   = [&](const std::string &plugin) {
+        return name == get_plugin_section(is_prefix ? choice.name + " " + plugin : plugin);
+      };
+      return !belongs(choice.value) && std::any_of(plugins.begin(), plugins.end(), belongs);
     }
 
     /** Sets an entry that is known to be declared. Returns what is wrong, or nothing. */
@@ -144,53 +203,154 @@ namespace caudal
       read_override(text);
   }
 
+  std::string ParameterFile::get_path(const Assignment &assignment)
+  {
+    return assignment.entry.empty() ? join(assignment.sections, "/")
+                                    : caudal::get_path(assignment.sections, assignment.entry);
+  }
+
   std::string ParameterFile::get(const std::string &path, const std::string &default_value) const
   {
     for (auto a = assignments.rbegin(); a != assignments.rend(); ++a)
-      if (!a->entry.empty() && get_path(a->sections, a->entry) == path)
+      if (!a->entry.empty() && get_path(*a) == path)
         return a->value;
     return default_value;
+  }
+
+  void ParameterFile::rename(const std::vector<RenamedEntry> &renamed_entries)
+  {
+    const std::vector<Assignment> original = assignments;
+    for (Assignment &assignment : assignments)
+    {
+      const auto fits = [&](const RenamedEntry &renamed) {
+        // In a section that has the former name of an entry, which has moved there, names are new.
+        if (renamed.new_path.rfind(renamed.old_path + "/", 0) == 0 &&
+            (assignment.entry.empty() ||
+             count_names(get_path(assignment)) != count_names(renamed.old_path)))
+          return false;
+        return find_new_path(get_path(assignment), renamed) &&
+               (renamed.old_value.empty() || renamed.old_value == assignment.value);
+      };
+      const auto renamed = std::find_if(renamed_entries.begin(), renamed_entries.end(), fits);
+      if (renamed != renamed_entries.end())
+        rename(assignment, *renamed, original);
+      else if (assignment.entry.empty())
+        assignment.is_former =
+            std::any_of(renamed_entries.begin(), renamed_entries.end(), [&](const auto &one) {
+              return holds_former_names(assignment.sections, one);
+            });
+    }
+  }
+
+  void ParameterFile::rename(Assignment &assignment, const RenamedEntry &renamed,
+                             const std::vector<Assignment> &original)
+  {
+    const bool        is_section = assignment.entry.empty();
+    const std::string old_path   = get_path(assignment);
+    const std::string new_path   = *find_new_path(old_path, renamed);
+    const bool        has_value  = !renamed.old_value.empty();
+
+    // A section is told once, where it is opened, and not with each of its entries.
+    if (count_names(old_path) == count_names(renamed.old_path))
+      hints.push_back(assignment.origin + ": " + (is_section ? "the section <" : "<") + old_path +
+                      (has_value ? " = " + renamed.old_value : "") + "> is now called <" +
+                      new_path + (has_value ? " = " + renamed.new_value : "") + ">.");
+
+    for (const Assignment &other : original)
+      AssertThrow(is_section || old_path == new_path || get_path(other) != new_path ||
+                      other.is_override || assignment.is_override,
+                  ExcMessage(assignment.origin + ": <" + old_path + "> is now called <" + new_path +
+                             ">, which is set at " + other.origin + ", too. Leave one out."));
+
+    assignment.sections = Utilities::split_string_list(new_path, '/');
+    if (!is_section)
+    {
+      assignment.entry = assignment.sections.back();
+      assignment.sections.pop_back();
+    }
+    if (has_value)
+      assignment.value = renamed.new_value;
+  }
+
+  std::string ParameterFile::find_problem(const Assignment      &assignment,
+                                          const DeclaredSection &declared,
+                                          ParameterHandler      &prm) const
+  {
+    const bool opens_section = assignment.entry.empty();
+    Sections   around        = assignment.sections;
+    if (opens_section)
+      around.pop_back();
+    const std::string place =
+        around.empty() ? "outside all sections" : "in section <" + join(around, "/") + ">";
+
+    const DeclaredSection *const section = find_section(declared, around);
+    if (section == nullptr)
+    {
+      // Reported where the section was opened, unless it was one of a former version.
+      const bool is_former =
+          std::any_of(assignments.begin(), assignments.end(), [&](const Assignment &other) {
+            return other.is_former && other.sections == around;
+          });
+      return !is_former ? ""
+             : opens_section
+                 ? "there is no section <" + assignment.sections.back() + "> " + place +
+                       ". Remove it."
+                 : "there is no entry <" + assignment.entry + "> " + place + ". Remove it.";
+    }
+    if (opens_section)
+    {
+      const std::string &name = assignment.sections.back();
+      return assignment.is_former || section->find_section(name) != nullptr
+                 ? ""
+                 : "there is no section <" + name + "> " + place + ". " +
+                       suggest(name, get_names(section->sections));
+    }
+    if (const DeclaredEntry *const known = section->find_entry(assignment.entry))
+      return set_entry(prm, assignment.sections, *known, assignment.value);
+    return "there is no entry <" + assignment.entry + "> " + place + ". " +
+           suggest(assignment.entry, get_names(section->entries));
   }
 
   void ParameterFile::parse(ParameterHandler &prm) const
   {
     const DeclaredSection    declared = extract_declared_parameters(prm);
     std::vector<std::string> problems;
-
-    for (const auto &[sections, entry, value, origin] : assignments)
+    for (const Assignment &assignment : assignments)
     {
-      const bool opens_section = entry.empty();
-      Sections   around        = sections;
-      if (opens_section)
-        around.pop_back();
-
-      const DeclaredSection *const section = find_section(declared, around);
-      if (section == nullptr)
-        continue; // reported where that section was opened
-
-      const std::string place =
-          around.empty() ? "outside all sections" : "in section <" + join(around, "/") + ">";
-      if (opens_section)
-      {
-        if (section->find_section(sections.back()) == nullptr)
-          problems.push_back(origin + ": there is no section <" + sections.back() + "> " + place +
-                             ". " + suggest(sections.back(), get_names(section->sections)));
-      }
-      else if (const DeclaredEntry *const known = section->find_entry(entry))
-      {
-        const std::string problem = set_entry(prm, sections, *known, value);
-        if (!problem.empty())
-          problems.push_back(origin + ": " + problem);
-      }
-      else
-        problems.push_back(origin + ": there is no entry <" + entry + "> " + place + ". " +
-                           suggest(entry, get_names(section->entries)));
+      const std::string problem = find_problem(assignment, declared, prm);
+      if (!problem.empty())
+        problems.push_back(assignment.origin + ": " + problem);
     }
-
     for (const std::string &path : extract_missing_entries(prm))
       problems.push_back(path + ": this entry is required and was not given. Set it.");
 
     AssertThrow(problems.empty(), ExcMessage(join(problems, "\n")));
+  }
+
+  std::vector<std::string> ParameterFile::find_idle_entries(const ParameterHandler &prm) const
+  {
+    const DeclaredSection    declared = extract_declared_parameters(prm);
+    std::vector<std::string> sentences;
+    for (const Assignment &assignment : assignments)
+    {
+      const DeclaredSection *const section = find_section(declared, assignment.sections);
+      const DeclaredEntry         *entry =
+          section == nullptr ? nullptr : section->find_entry(assignment.entry);
+      if (entry == nullptr || entry->value == entry->default_value)
+        continue;
+      // Of one of the sections around the entry, another one is chosen.
+      for (std::size_t depth = 0; depth < assignment.sections.size(); ++depth)
+      {
+        const Sections outer(assignment.sections.begin(), assignment.sections.begin() + depth);
+        const DeclaredSection &around = *find_section(declared, outer);
+        for (const DeclaredEntry &choice : around.entries)
+          if (is_idle(assignment.sections[depth], around, choice))
+            sentences.push_back(assignment.origin + ": <" + get_path(assignment) +
+                                "> has no effect, since <" + caudal::get_path(outer, choice.name) +
+                                "> is <" + choice.value + ">.");
+      }
+    }
+    return sentences;
   }
 
   void ParameterFile::read(const std::string &file, const std::string &included_from,
@@ -260,7 +420,7 @@ namespace caudal
     const std::string entry = names.back();
     names.pop_back();
     for (unsigned int depth = 1; depth <= names.size(); ++depth)
-      assignments.push_back({Sections(names.begin(), names.begin() + depth), "", "", origin});
-    assignments.push_back({names, entry, tidy(text.substr(equals + 1)), origin});
+      assignments.push_back({Sections(names.begin(), names.begin() + depth), "", "", origin, true});
+    assignments.push_back({names, entry, tidy(text.substr(equals + 1)), origin, true});
   }
 } // namespace caudal

@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/base/time_stepping.h>
 
 #include <algorithm>
@@ -40,18 +41,13 @@ namespace caudal
 
   void TimeParameters::check() const
   {
-    const auto check_positive = [](const char *entry, const double value) {
-      AssertThrow(std::isfinite(value) && value > 0,
-                  ExcMessage(std::string("Time/") + entry + ": the value is " +
-                             std::to_string(value) + ". Give a positive number."));
-    };
-    check_positive("End time", end_time);
-    check_positive("Step", step);
-    check_positive("Largest step", largest_step);
-    check_positive("Smallest step", smallest_step);
-    check_positive("Body CFL", body_cfl);
-    check_positive("Convective CFL", convective_cfl);
-    check_positive("Error tolerance", error_tolerance);
+    check_positive("Time/End time", end_time);
+    check_positive("Time/Step", step);
+    check_positive("Time/Largest step", largest_step);
+    check_positive("Time/Smallest step", smallest_step);
+    check_positive("Time/Body CFL", body_cfl);
+    check_positive("Time/Convective CFL", convective_cfl);
+    check_positive("Time/Error tolerance", error_tolerance);
     AssertThrow(!adaptive || smallest_step <= largest_step,
                 ExcMessage("Time/Largest step: it is less than Time/Smallest step. Make it "
                            "larger."));
@@ -76,7 +72,7 @@ namespace caudal
   }
 
   TimeStepper::TimeStepper(const TimeParameters &parameters)
-      : parameters(parameters)
+      : parameters(&parameters)
       , step(parameters.step)
       , regular_step(parameters.step)
   {
@@ -85,33 +81,32 @@ namespace caudal
 
   bool TimeStepper::is_at_end() const
   {
-    return time >= parameters.end_time * (1 - 1e-12);
+    return time >= parameters->end_time * (1 - 1e-12);
   }
 
-  TimeWeights TimeStepper::get_weights() const
+  TimeWeights TimeStepper::get_weights(const double step) const
   {
     return TimeWeights::backward_differentiation(step, previous_step);
   }
 
-  void TimeStepper::accept(const Indicators &indicators)
+  void TimeStepper::accept(const double step, const Indicators &indicators)
   {
     // Predicted and computed positions of BDF2 differ by a term of third order in the step.
-    const double order = parameters.is_explicit() || previous_step == 0 ? 2 : 3;
+    const double order = parameters->is_explicit() || previous_step == 0 ? 2 : 3;
     time += step;
     previous_step = step;
     ++step_number;
-    n_retries = 0;
-    if (parameters.adaptive)
+    if (parameters->adaptive)
     {
       const auto get_growth = [](const double limit, const double value, const double power) {
         return std::pow(limit / std::max(value, 1e-10 * limit), 1 / power);
       };
       const double growth =
-          std::min({get_growth(parameters.body_cfl, indicators.body_cfl, 1),
-                    get_growth(parameters.convective_cfl, indicators.convective_cfl, 1),
-                    get_growth(parameters.error_tolerance, indicators.error, order)});
+          std::min({get_growth(parameters->body_cfl, indicators.body_cfl, 1),
+                    get_growth(parameters->convective_cfl, indicators.convective_cfl, 1),
+                    get_growth(parameters->error_tolerance, indicators.error, order)});
       regular_step =
-          std::min(parameters.largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
+          std::min(parameters->largest_step, previous_step * std::clamp(0.9 * growth, 0.5, 1.2));
     }
     choose_step();
   }
@@ -120,17 +115,16 @@ namespace caudal
   {
     std::ostringstream text;
     text << "Time/Smallest step: at t = " << time << " s the limits of adapted steps ask for "
-         << regular_step << " s, which is less than " << parameters.smallest_step
+         << regular_step << " s, which is less than " << parameters->smallest_step
          << " s. Relax Body CFL, Convective CFL or Error tolerance, or look what becomes so fast.";
-    AssertThrow(!parameters.adaptive || regular_step >= parameters.smallest_step,
+    AssertThrow(!parameters->adaptive || regular_step >= parameters->smallest_step,
                 ExcMessage(text.str()));
   }
 
   void TimeStepper::resume()
   {
-    n_retries = 0;
-    if (!parameters.adaptive)
-      regular_step = parameters.step;
+    if (!parameters->adaptive)
+      regular_step = parameters->step;
     choose_step();
   }
 
@@ -139,26 +133,28 @@ namespace caudal
     // After a rejection the step grows back to its regular size gently: BDF2
     // with variable step is stable up to a ratio of 1 + sqrt(2).
     step = previous_step == 0 ? regular_step : std::min(regular_step, 1.5 * previous_step);
-    if (parameters.adaptive)
-      step = std::min(step, parameters.largest_step);
+    if (parameters->adaptive)
+      step = std::min(step, parameters->largest_step);
     limit_to_end();
   }
 
-  void TimeStepper::reject(const std::string &reason)
+  double TimeStepper::halve(const double failed_step, const unsigned int n_retries,
+                            const std::string &reason) const
   {
-    ++n_retries;
-    step /= 2;
-    AssertThrow(
-        n_retries <= parameters.largest_number_of_retries && step >= parameters.smallest_step,
-        ExcMessage(reason + " The step was halved " + std::to_string(n_retries - 1) +
-                   " times down to " + std::to_string(2 * step) +
-                   " s without success (Time/Largest number of retries, Time/Smallest step)."));
+    const double half = failed_step / 2;
+    AssertThrow(n_retries < parameters->largest_number_of_retries &&
+                    half >= parameters->smallest_step,
+                ExcMessage(reason + " The step was halved " + std::to_string(n_retries) +
+                           " times down to " + std::to_string(failed_step) +
+                           " s without success (Time/Largest number of retries, Time/Smallest "
+                           "step)."));
+    return half;
   }
 
   void TimeStepper::limit_to_end()
   {
     // The last two steps share what is left, so that none of them is tiny.
-    const double left = parameters.end_time - time;
+    const double left = parameters->end_time - time;
     if (left < step * (1 + 1e-9))
       step = left;
     else if (left < 2 * step * (1 - 1e-9))

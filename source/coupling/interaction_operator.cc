@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/coupling/deformed_cell.h>
 #include <caudal/coupling/interaction_operator.h>
 
@@ -14,11 +15,7 @@ namespace caudal
   void CouplingParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Coupling");
-    prm.add_parameter(
-        "Kernel", kernel,
-        "Regularised delta function; dirac is its variational limit, the finite element "
-        "field at the body's points.",
-        Patterns::Selection(get_kernel_names()));
+    kernel.add_parameters(prm);
     prm.add_parameter(
         "Quadrature density", quadrature_density,
         "Smallest number of quadrature points of the deformed body per fluid spacing, "
@@ -28,10 +25,9 @@ namespace caudal
 
   void CouplingParameters::check() const
   {
-    AssertThrow(
-        std::isfinite(quadrature_density) && quadrature_density > 0 && quadrature_density <= 20,
-        ExcMessage("Coupling/Quadrature density: the value is " +
-                   std::to_string(quadrature_density) + ". Give a number between 0 and 20."));
+    kernel.check("Coupling");
+    check_value(quadrature_density > 0 && quadrature_density <= 20, "Coupling/Quadrature density",
+                quadrature_density, "Give a number between 0 and 20.");
   }
 
   /**
@@ -42,19 +38,15 @@ namespace caudal
   class InteractionOperator<dim>::Assembler
   {
   public:
-    Assembler(const KernelPair &kernel, const LineTable &along, const LineTable &across,
-              const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
-              const AffineConstraints<double> &constraints, const DoFHandler<dim> &body_dofs,
-              std::vector<LooseEntry> &entries)
-        : kernel(kernel)
-        , along(along)
-        , across(across)
-        , finest_cells(finest_cells)
-        , velocity_dofs(velocity_dofs)
-        , constraints(constraints)
+    Assembler(const Coupling &coupling, const Fluid &fluid, const DoFHandler<dim> &body_dofs)
+        : inhomogeneity(body_dofs.n_dofs())
+        , coupling(coupling)
+        , finest_cells(fluid.finest_cells)
+        , velocity_dofs(fluid.velocity_dofs)
+        , constraints(fluid.constraints)
         , body_element(body_dofs.get_fe())
         , element(velocity_dofs.get_fe())
-        , n_kernels(kernel.isotropic ? 1 : dim)
+        , n_kernels(coupling.kernel->is_isotropic() ? 1 : dim)
         , n_nodes(body_element.n_dofs_per_cell() / dim)
         , n_s(element.n_dofs_per_cell() / dim)
         , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(2))
@@ -62,11 +54,7 @@ namespace caudal
               finest_cells.get_lattice().get_finest_level()))
         , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
         , indices(element.n_dofs_per_cell())
-        , inhomogeneity(body_dofs.n_dofs())
-        , entries(entries)
-    {
-      entries.clear();
-    }
+    {}
 
     /**
      * Adds a quadrature point; @p shape holds the values of the body's scalar
@@ -82,7 +70,8 @@ namespace caudal
         unsigned int                 n_cells = 1;
         for (unsigned int d = 0; d < dim; ++d)
         {
-          lines[d] = (k == d ? along : across).evaluate((point[d] - origin[d]) / cell_size[d]);
+          lines[d] = (k == d ? coupling.along : coupling.across)
+                         .evaluate((point[d] - origin[d]) / cell_size[d]);
           n_cells *= lines[d].cells.size();
         }
         for (unsigned int c = 0; c < n_cells; ++c)
@@ -133,7 +122,7 @@ namespace caudal
               const Column  column(constraints,
                                    indices[element.component_to_system_index(component, s)]);
               const double *value =
-                  block.values.data() + (kernel.isotropic ? 0 : component) * n_nodes * n_s + s;
+                  block.values.data() + (n_kernels == 1 ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
                 add_entry(body_indices[body_element.component_to_system_index(component, a)],
                           column, *value);
@@ -142,10 +131,9 @@ namespace caudal
       blocks.clear();
     }
 
-    const Vector<double> &get_inhomogeneity() const
-    {
-      return inhomogeneity;
-    }
+    std::vector<LooseEntry> entries;
+    /** What this rank's inhomogeneous constraints contribute to G u. */
+    Vector<double> inhomogeneity;
 
   private:
     struct Block
@@ -154,8 +142,7 @@ namespace caudal
       std::vector<double>                    values; // [kernel][body node][fluid node]
     };
 
-    const KernelPair                    &kernel;
-    const LineTable                     &along, &across;
+    const Coupling                      &coupling;
     const FinestCells<dim>              &finest_cells;
     const DoFHandler<dim>               &velocity_dofs;
     const AffineConstraints<double>     &constraints;
@@ -166,8 +153,6 @@ namespace caudal
     const Tensor<1, dim>                 cell_size;
     const Point<dim>                     origin;
     std::vector<types::global_dof_index> indices;
-    Vector<double>                       inhomogeneity;
-    std::vector<LooseEntry>             &entries;
 
     std::map<typename CellLattice<dim>::Coordinates, Block> blocks;
 
@@ -210,21 +195,12 @@ namespace caudal
     }
   };
 
-  template <int dim>
-  InteractionOperator<dim>::InteractionOperator(const CouplingParameters &parameters,
-                                                MPI_Comm                  communicator)
-      : parameters(parameters)
-      , kernel(create_kernel(parameters.kernel))
-      , along(kernel.along.get())
-      , across(kernel.across.get())
-      , communicator(communicator)
+  Coupling::Coupling(const CouplingParameters &parameters)
+      : kernel(parameters.kernel.create())
+      , along(*kernel)
+      , across(kernel->across())
+      , quadrature_density(parameters.quadrature_density)
   {}
-
-  template <int dim>
-  double InteractionOperator<dim>::get_support() const
-  {
-    return 0.5 * kernel.radius();
-  }
 
   namespace
   {
@@ -272,24 +248,24 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  unsigned int InteractionOperator<dim>::reinit(
-      const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
-      const AffineConstraints<double> &constraints, const FieldVector &velocity_layout,
-      const DoFHandler<dim> &body_dofs, const Vector<double> &positions, const std::string &name)
+  InteractionOperator<dim>::InteractionOperator(const Coupling &coupling, const Fluid &fluid,
+                                                const DoFHandler<dim> &body_dofs,
+                                                const Vector<double>  &positions,
+                                                const std::string     &name)
+      : partitioner(fluid.partitioner)
   {
-    const CellLattice<dim> &lattice = finest_cells.get_lattice();
+    const CellLattice<dim> &lattice = fluid.finest_cells.get_lattice();
     const double            spacing =
         0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
-    Assembler assembler(kernel, along, across, finest_cells, velocity_dofs, constraints, body_dofs,
-                        loose_entries);
-    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / parameters.quadrature_density);
-    const double        margin = get_support() + 0.1; // round-off decides about cells that touch
-    std::vector<double> seen;                         // of the kernel around each point
+    Assembler           assembler(coupling, fluid, body_dofs);
+    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / coupling.quadrature_density);
+    const double        margin = coupling.get_support() + 0.1; // round-off decides about touching
+    std::vector<double> seen;                                  // of the kernel around each point
     for (const auto &cell : body_dofs.active_cell_iterators())
     {
       body_cell.reinit(cell);
-      if (finest_cells.meet(body_cell.get_box(), margin))
+      if (fluid.finest_cells.meet(body_cell.get_box(), margin))
       {
         body_cell.for_each_point([&](const auto &point, const double weight, const auto &shape) {
           seen.push_back(assembler.add_point(point, weight, shape));
@@ -300,21 +276,22 @@ namespace caudal
         seen.resize(seen.size() + body_cell.n_points(), 0.);
     }
 
+    const MPI_Comm communicator = partitioner->get_mpi_communicator();
     Utilities::MPI::sum(seen, communicator, seen);
     const auto first_not_covered = std::find_if(
         seen.begin(), seen.end(), [](const double part) { return !(std::abs(part - 1) < 1e-8); });
     if (first_not_covered != seen.end())
       throw_not_covered(lattice, find_point(body_cell, body_dofs, first_not_covered - seen.begin()),
                         name);
-    partitioner   = velocity_layout.get_partitioner();
-    inhomogeneity = assembler.get_inhomogeneity();
+    n_quadrature_points = seen.size();
+    inhomogeneity       = assembler.inhomogeneity;
     Utilities::MPI::sum(inhomogeneity, communicator, inhomogeneity);
-    compress(body_dofs.n_dofs(), name);
-    return seen.size();
+    compress(assembler.entries, body_dofs.n_dofs(), name);
   }
 
   template <int dim>
-  void InteractionOperator<dim>::compress(const unsigned int n_rows, const std::string &name)
+  void InteractionOperator<dim>::compress(const std::vector<LooseEntry> &loose_entries,
+                                          const unsigned int n_rows, const std::string &name)
   {
     // Sort by rows (counting sort), then add up equal columns of each row.
     std::vector<std::size_t> start(n_rows + 1, 0), order(loose_entries.size());
@@ -331,7 +308,7 @@ namespace caudal
           return partitioner->in_local_range(entry.column) ||
                  partitioner->is_ghost_entry(entry.column);
         });
-    AssertThrow(Utilities::MPI::min(static_cast<int>(all_known), communicator) == 1,
+    AssertThrow(Utilities::MPI::min<int>(all_known, partitioner->get_mpi_communicator()) == 1,
                 ExcMessage("Refinement/Body margin: the kernel of body " + name +
                            " reaches cells that depend on two coarser levels. Increase the "
                            "margin."));
@@ -339,9 +316,6 @@ namespace caudal
     const unsigned int n_local = partitioner->locally_owned_size() + partitioner->n_ghost_indices();
     std::vector<std::size_t> place(n_local, 0); // 1 + position of a column in its row
     row_start.assign(1, 0);
-    columns.clear();
-    local_columns.clear();
-    entries.clear();
     for (unsigned int row = 0; row < n_rows; ++row)
     {
       for (std::size_t k = start[row]; k < start[row + 1]; ++k)
@@ -362,19 +336,17 @@ namespace caudal
   }
 
   template <int dim>
-  void InteractionOperator<dim>::interpolate(const FieldVector &velocity, Vector<double> &result,
-                                             const bool homogeneous) const
+  Vector<double> InteractionOperator<dim>::interpolate(const FieldVector &velocity,
+                                                       const bool         homogeneous) const
   {
+    Vector<double> result(inhomogeneity.size());
     for (unsigned int row = 0; row + 1 < row_start.size(); ++row)
-    {
-      double sum = 0;
       for (std::size_t k = row_start[row]; k < row_start[row + 1]; ++k)
-        sum += entries[k] * velocity.local_element(local_columns[k]);
-      result[row] = sum;
-    }
-    Utilities::MPI::sum(result, communicator, result);
+        result[row] += entries[k] * velocity.local_element(local_columns[k]);
+    Utilities::MPI::sum(result, partitioner->get_mpi_communicator(), result);
     if (!homogeneous)
       result += inhomogeneity;
+    return result;
   }
 
   template <int dim>

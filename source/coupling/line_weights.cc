@@ -50,7 +50,7 @@ namespace caudal
     return weights;
   }
 
-  LineTable::LineTable(const DeltaKernel *kernel)
+  LineTable::LineTable(const DeltaKernel &kernel)
   {
     for (unsigned int j = 0; j < n_nodes; ++j)
     {
@@ -58,10 +58,10 @@ namespace caudal
       nodes[j]           = 0.5 * (1 + std::cos(angle));
       node_weights[j]    = (j % 2 == 0 ? 1 : -1) * std::sin(angle);
     }
-    if (kernel != nullptr)
+    if (kernel.radius() > 0)
       for (unsigned int quarter = 0; quarter < n_quarters; ++quarter)
         for (const double node : nodes)
-          values[quarter].push_back(integrate_line_weights((quarter + node) / n_quarters, *kernel));
+          values[quarter].push_back(integrate_line_weights((quarter + node) / n_quarters, kernel));
   }
 
   LineWeights LineTable::evaluate(const double x) const

@@ -1,291 +1,272 @@
-#include <caudal/base/factory.h>
-#include <caudal/fish/body_function.h>
+#include <caudal/base/checks.h>
 #include <caudal/fish/gait.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace caudal
 {
-  namespace
+  void Gait::set_up(const SharedGaitParameters &shared_parameters, const double body_length)
   {
-    /** Inclination theta(s,t) of the midline against the x axis [rad], and its rate [rad/s]. */
-    struct Inclination
+    shared = shared_parameters;
+    length = body_length;
+  }
+
+  bool Gait::is_prescribed() const
+  {
+    return true;
+  }
+
+  bool Gait::is_periodic() const
+  {
+    return has_period() && shared.ramp.duration == 0.;
+  }
+
+  bool Gait::has_period() const
+  {
+    return true;
+  }
+
+  std::vector<double> Gait::get_frequencies() const
+  {
+    return shared.frequencies;
+  }
+
+  double Gait::get_beat_frequency() const
+  {
+    return is_prescribed() && has_period() ? get_frequencies()[0] : 0.;
+  }
+
+  double Gait::get_argument_rate(const double frequency) const
+  {
+    return is_periodic() ? 2. * numbers::PI * frequency : 1.;
+  }
+
+  double Gait::get_end() const
+  {
+    return std::numeric_limits<double>::max();
+  }
+
+  double Gait::get_length() const
+  {
+    return length;
+  }
+
+  unsigned int Gait::n_coordinates() const
+  {
+    return 1;
+  }
+
+  GaitState Gait::evaluate(const double argument) const
+  {
+    return {{argument}, {1.}};
+  }
+
+  std::vector<double> Gait::describe_shape(const double argument) const
+  {
+    std::vector<double> places;
+    for (unsigned int i = 0; i <= 20; ++i)
+      places.push_back(length * i / 20);
+    return compute_angles(places, evaluate(argument).c).theta;
+  }
+
+  std::vector<Gait::Inclination> Gait::compute_inclinations(const std::vector<double> &s,
+                                                            const double) const
+  {
+    return std::vector<Inclination>(s.size());
+  }
+
+  SpineAngles Gait::compute_angles(const std::vector<double> &s, const std::vector<double> &c,
+                                   const std::vector<double> &rates) const
+  {
+    SpineAngles angles;
+    angles.by_c.resize(1);
+    for (const Inclination &inclination : compute_inclinations(s, c[0]))
     {
-      double value = 0.;
-      double rate  = 0.;
-    };
-
-    /**
-     * The midline in @p n_stations equal pieces: dm/ds = (cos theta, sin theta)
-     * integrated from the nose on by the trapezoidal rule; between the stations
-     * cubic Hermite interpolation of m, linear of theta. Velocities are the exact
-     * time derivatives of this discrete shape.
-     */
-    template <int dim>
-    class MidlineGait : public Gait<dim>
-    {
-    public:
-      explicit MidlineGait(const double length)
-          : length(length)
-          , spacing(length / n_stations)
-          , inclination(n_stations + 1)
-          , place(n_stations + 1)
-          , velocity_of_place(n_stations + 1)
-      {}
-
-      void set_time(const double time) override
-      {
-        compute_inclination(time, inclination);
-        for (unsigned int i = 1; i <= n_stations; ++i)
-        {
-          place[i] = place[i - 1] + 0.5 * spacing * (tangent(i - 1) + tangent(i));
-          velocity_of_place[i] =
-              velocity_of_place[i - 1] + 0.5 * spacing * (tangent_rate(i - 1) + tangent_rate(i));
-        }
-      }
-
-      Point<dim> position(const Point<dim> &s) const override
-      {
-        const Location     at    = locate(s[0]);
-        const Tensor<1, 2> m     = interpolate(at, place, &MidlineGait::tangent);
-        const double       angle = interpolate(at, &Inclination::value);
-        Point<dim>         X     = s;
-        X[0]                     = m[0] - s[1] * std::sin(angle) + at.beyond * std::cos(angle);
-        X[1]                     = m[1] + s[1] * std::cos(angle) + at.beyond * std::sin(angle);
-        return X;
-      }
-
-      Tensor<1, dim> velocity(const Point<dim> &s) const override
-      {
-        const Location     at    = locate(s[0]);
-        const Tensor<1, 2> m     = interpolate(at, velocity_of_place, &MidlineGait::tangent_rate);
-        const double       angle = interpolate(at, &Inclination::value);
-        const double       rate  = interpolate(at, &Inclination::rate);
-        Tensor<1, dim>     V;
-        V[0] = m[0] - rate * (s[1] * std::cos(angle) + at.beyond * std::sin(angle));
-        V[1] = m[1] - rate * (s[1] * std::sin(angle) - at.beyond * std::cos(angle));
-        return V;
-      }
-
-    protected:
-      /** Fills in theta and its rate at the stations s_i = i/n_stations L. */
-      virtual void compute_inclination(const double              time,
-                                       std::vector<Inclination> &inclination) const = 0;
-
-      const double length;
-      const double spacing;
-
-      static constexpr unsigned int n_stations = 400;
-
-    private:
-      /** A piece of the midline, the place in it (0 to 1), and how far [m] beyond an end. */
-      struct Location
-      {
-        unsigned int left;
-        double       fraction;
-        double       beyond;
-      };
-
-      Location locate(const double s) const
-      {
-        const double inside = std::clamp(s, 0., length);
-        const auto   left   = std::min(static_cast<unsigned int>(inside / spacing), n_stations - 1);
-        return {left, inside / spacing - left, s - inside};
-      }
-
-      Tensor<1, 2> tangent(const unsigned int i) const
-      {
-        const double theta = inclination[i].value;
-        return Point<2>(std::cos(theta), std::sin(theta));
-      }
-
-      Tensor<1, 2> tangent_rate(const unsigned int i) const
-      {
-        const double theta = inclination[i].value;
-        return inclination[i].rate * Point<2>(-std::sin(theta), std::cos(theta));
-      }
-
-      double interpolate(const Location &at, double Inclination::*member) const
-      {
-        return (1. - at.fraction) * (inclination[at.left].*member) +
-               at.fraction * (inclination[at.left + 1].*member);
-      }
-
-      Tensor<1, 2> interpolate(const Location &at, const std::vector<Tensor<1, 2>> &values,
-                               Tensor<1, 2> (MidlineGait::*slope)(unsigned int) const) const
-      {
-        const double x = at.fraction, y = 1. - x;
-        return y * y * (1. + 2. * x) * values[at.left] +
-               x * x * (1. + 2. * y) * values[at.left + 1] +
-               spacing * x * y * (y * (this->*slope)(at.left) - x * (this->*slope)(at.left + 1));
-      }
-
-      std::vector<Inclination>  inclination;
-      std::vector<Tensor<1, 2>> place;
-      std::vector<Tensor<1, 2>> velocity_of_place;
-    };
-
-    /** sin theta = dy/ds of the lateral displacement y(s,t), since s is the arc length. */
-    template <int dim>
-    class TravellingWave : public MidlineGait<dim>
-    {
-    public:
-      TravellingWave(const GaitParameters &p, const double length)
-          : MidlineGait<dim>(length)
-          , ramp(p.ramp)
-          , slope(p.amplitude / (1. + p.offset))
-          , offset(p.offset)
-          , wave_number(2. * numbers::PI * p.wave_number)
-          , frequency(2. * numbers::PI * p.frequency)
-      {}
-
-    protected:
-      void compute_inclination(const double              time,
-                               std::vector<Inclination> &inclination) const override
-      {
-        for (unsigned int i = 0; i <= this->n_stations; ++i)
-        {
-          const double s     = static_cast<double>(i) / this->n_stations;
-          const double phase = wave_number * s - frequency * time;
-          const double wave =
-              slope * (std::sin(phase) + (s + offset) * wave_number * std::cos(phase));
-          const double wave_rate =
-              -frequency * slope * (std::cos(phase) - (s + offset) * wave_number * std::sin(phase));
-          const double sine      = ramp.value(time) * wave;
-          const double sine_rate = ramp.value(time) * wave_rate + ramp.rate(time) * wave;
-          AssertThrow(std::abs(sine) < 1.,
-                      ExcMessage("Gait: the slope of the midline reaches " + std::to_string(sine) +
-                                 ", and a midline of constant length allows less than 1. Reduce "
-                                 "the amplitude or the wave number."));
-          inclination[i] = {std::asin(sine), sine_rate / std::sqrt(1. - sine * sine)};
-        }
-      }
-
-    private:
-      const StartUpRamp ramp;
-      const double      slope, offset, wave_number, frequency;
-    };
-
-    /** theta is the integral of the curvature from the nose on. */
-    template <int dim>
-    class CurvatureGait : public MidlineGait<dim>
-    {
-    public:
-      CurvatureGait(const GaitParameters &p, const double length)
-          : MidlineGait<dim>(length)
-          , ramp(p.ramp)
-          , curvature("Gait/Curvature", "s,t", p.curvature)
-      {}
-
-    protected:
-      void compute_inclination(const double              time,
-                               std::vector<Inclination> &inclination) const override
-      {
-        Inclination before = bend(0., time);
-        inclination[0]     = Inclination();
-        for (unsigned int i = 1; i <= this->n_stations; ++i)
-        {
-          const Inclination here = bend(static_cast<double>(i) / this->n_stations, time);
-          inclination[i].value =
-              inclination[i - 1].value + 0.5 * this->spacing * (before.value + here.value);
-          inclination[i].rate =
-              inclination[i - 1].rate + 0.5 * this->spacing * (before.rate + here.rate);
-          before = here;
-        }
-      }
-
-    private:
-      /** The curvature [1/m] and its rate, by a central difference. */
-      Inclination bend(const double s, const double time) const
-      {
-        const double increment = 1e-6;
-        const double value     = curvature.value(s, time);
-        const double rate =
-            (curvature.value(s, time + increment) - curvature.value(s, time - increment)) /
-            (2. * increment);
-        return {ramp.value(time) * value, ramp.value(time) * rate + ramp.rate(time) * value};
-      }
-
-      const StartUpRamp  ramp;
-      const BodyFunction curvature;
-    };
-
-    template <int dim>
-    using GaitFactory = Factory<Gait<dim>, const GaitParameters &, const double>;
-
-    template <class Derived>
-    auto make = [](const GaitParameters &parameters, const double length) {
-      return std::make_unique<Derived>(parameters, length);
-    };
-
-    template <int dim>
-    const GaitFactory<dim> &get_factory()
-    {
-      static const GaitFactory<dim> factory(
-          "gait", {{"none", [](const GaitParameters &, const double) { return nullptr; }},
-                   {"travelling wave", make<TravellingWave<dim>>},
-                   {"curvature", make<CurvatureGait<dim>>}});
-      return factory;
+      angles.theta.push_back(inclination.value);
+      angles.by_c[0].push_back(inclination.rate);
     }
-  } // namespace
+    if (!rates.empty())
+    {
+      const double                    step      = 1e-3;
+      const std::pair<double, double> stencil[] = {
+          {-2., 1. / 12.}, {-1., -8. / 12.}, {1., 8. / 12.}, {2., -1. / 12.}};
+      angles.by_c_rate.assign(1, std::vector<double>(s.size(), 0.));
+      for (const auto &[distance, weight] : stencil)
+      {
+        const auto moved = compute_inclinations(s, c[0] + distance * step);
+        for (std::size_t p = 0; p < s.size(); ++p)
+          angles.by_c_rate[0][p] += rates[0] * weight / step * moved[p].rate;
+      }
+    }
+    return angles;
+  }
+
+  std::vector<double> Gait::compute_curvature(const std::vector<double> &s,
+                                              const std::vector<double> &c) const
+  {
+    // The curvature may have a kink at s: the distance decides on the error.
+    const double        distance = 1e-8 * length;
+    std::vector<double> ends;
+    for (const double place : s)
+      for (const double side : {-1., 1.})
+        ends.push_back(std::clamp(place + side * distance, 0., length));
+    const SpineAngles   angles = compute_angles(ends, c);
+    std::vector<double> curvature;
+    for (std::size_t p = 0; p < ends.size(); p += 2)
+      curvature.push_back((angles.theta[p + 1] - angles.theta[p]) / (ends[p + 1] - ends[p]));
+    return curvature;
+  }
+
+  GaitState ModalGait::evaluate(const double argument) const
+  {
+    if (is_periodic() || shared.ramp.duration == 0.)
+      return evaluate_stroke(argument);
+    const double rate   = has_period() ? 2. * numbers::PI * get_frequencies()[0] : 1.;
+    GaitState    state  = evaluate_stroke(rate * argument);
+    const double growth = shared.ramp.value(argument), growth_rate = shared.ramp.rate(argument);
+    for (std::size_t i = 0; i < state.c.size(); ++i)
+    {
+      state.rates[i] = growth * rate * state.rates[i] + growth_rate * state.c[i];
+      state.c[i] *= growth;
+    }
+    return state;
+  }
+
+  std::vector<double> ModalGait::describe_shape(const double argument) const
+  {
+    return evaluate(argument).c;
+  }
+
+  SpineAngles ModalGait::compute_angles(const std::vector<double> &s, const std::vector<double> &c,
+                                        const std::vector<double> &) const
+  {
+    SpineAngles angles;
+    angles.theta.assign(s.size(), 0.);
+    angles.by_c.resize(c.size());
+    for (unsigned int i = 0; i < c.size(); ++i)
+      for (std::size_t p = 0; p < s.size(); ++p)
+      {
+        angles.by_c[i].push_back(mode(i, s[p]));
+        angles.theta[p] += c[i] * angles.by_c[i][p];
+      }
+    return angles;
+  }
+
+  GaitParameters::GaitParameters(const std::string &default_type)
+      : type("Type", default_type, "What motion is prescribed to the spine")
+  {}
 
   void GaitParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Gait");
-    prm.add_parameter("Type", type,
-                      "'travelling wave' prescribes the lateral displacement of the midline, "
-                      "'curvature' its curvature, 'none' nothing.",
-                      Patterns::Selection(get_factory<2>().get_names()));
-    prm.add_parameter("Start-up ramp", ramp.duration,
+    type.add_parameters(prm);
+    prm.add_parameter("Start-up ramp", shared.ramp.duration,
                       "Time [s] in which the motion grows from zero, as (1 - cos)/2.");
-    prm.enter_subsection("Travelling wave");
-    prm.add_parameter("Amplitude", amplitude,
-                      "Lateral amplitude a of the tail, over the body length [-], in y = a L "
-                      "(s/L + b)/(1 + b) sin(2 pi (k s/L - f t)).");
-    prm.add_parameter("Offset", offset, "b, of which the nose's amplitude is a b/(1 + b) [-].");
-    prm.add_parameter("Wave number", wave_number, "k, the waves on the body [-].");
-    prm.add_parameter("Frequency", frequency, "f, the tail-beat frequency [Hz].");
-    prm.leave_subsection();
-    prm.add_parameter("Curvature", curvature,
-                      "Curvature of the midline [1/m], a function of the arc length s over the "
-                      "body length (0 nose, 1 tail) and the time t [s]; positive to the left "
-                      "of the way from nose to tail.");
+    prm.add_parameter("Frequency", shared.frequencies,
+                      "Strokes a second f [Hz] of arctangent, sine and curvature wave; in an ideal "
+                      "fluid several, separated by commas, are simulated one after the other from "
+                      "one table of phases.");
+    prm.add_parameter("Wave number", shared.wave_number,
+                      "k, the waves on the body [1], of arctangent, sine and curvature wave; with "
+                      "0 the stroke is reciprocal.");
+    prm.add_parameter("Bias", shared.bias,
+                      "Constant angle gamma added to each joint [degrees], which steers; the "
+                      "paper prints 5, and its fish would swim in circles with it.");
+    prm.add_parameter("Growth", shared.growth,
+                      "g [1]: the amplitude (sine, curvature wave) is in proportion to (1 - g) + "
+                      "g s/L.");
     prm.leave_subsection();
   }
 
   void GaitParameters::check(const std::string &path) const
   {
     const std::string section = path + "/Gait";
-    const auto        bad     = [&section](const std::string &entry, const double value) {
-      return section + "/" + entry + ": the value is " + Patterns::Tools::to_string(value) + ". ";
-    };
-    AssertThrow(ramp.duration >= 0., ExcMessage(bad("Start-up ramp", ramp.duration) +
-                                                "Give a duration that is not negative [s]."));
-    if (type == "travelling wave")
-    {
-      AssertThrow(offset > -1.,
-                  ExcMessage(bad("Travelling wave/Offset", offset) + "Give more than -1."));
-      AssertThrow(frequency > 0., ExcMessage(bad("Travelling wave/Frequency", frequency) +
-                                             "Give a positive frequency [Hz]."));
-    }
-    if (type == "curvature")
-    {
-      const BodyFunction function(section + "/Curvature", "s,t", curvature);
-      for (const double s : {0., 0.25, 0.5, 0.75, 1.})
-        function.value(s, 0.);
-    }
+    check_not_negative(section + "/Start-up ramp", shared.ramp.duration,
+                       "Give a duration that is not negative [s].");
+    check_finite(section + "/Wave number", shared.wave_number);
+    check_finite(section + "/Bias", shared.bias);
+    check_finite(section + "/Growth", shared.growth);
+    std::vector<double> sorted = shared.frequencies;
+    AssertThrow(!sorted.empty(), ExcMessage(section + "/Frequency: the list is empty. Give one "
+                                                      "frequency or more [Hz]."));
+    for (const double frequency : sorted)
+      check_positive(section + "/Frequency", frequency,
+                     "Give a positive frequency [Hz]; a body at rest or without joints has "
+                     "Gait/Type = none.");
+    std::sort(sorted.begin(), sorted.end());
+    AssertThrow(std::adjacent_find(sorted.begin(), sorted.end(),
+                                   [](const double a, const double b) {
+                                     return b - a < 1e-5 * b;
+                                   }) == sorted.end(),
+                ExcMessage(section + "/Frequency: two values are the same; their results would be "
+                                     "written to the same files. Leave one out."));
+    type.check(section);
   }
 
-  template <int dim>
-  std::unique_ptr<Gait<dim>> create_gait(const GaitParameters &parameters, const double length)
+  std::unique_ptr<Gait> GaitParameters::create(const double length) const
   {
-    return get_factory<dim>().create(parameters.type, parameters, length);
+    std::unique_ptr<Gait> gait = type.create();
+    gait->set_up(shared, length);
+    return gait;
   }
 
-  template class Gait<2>;
-  template class Gait<3>;
-  template std::unique_ptr<Gait<2>> create_gait(const GaitParameters &, const double);
-  template std::unique_ptr<Gait<3>> create_gait(const GaitParameters &, const double);
+  namespace
+  {
+    // The phases at which the symmetries of a gait are looked for.
+    const unsigned int n_samples = 120;
+    const double       tolerance = 1e-9;
+
+    using Samples = std::vector<std::vector<double>>;
+
+    /** Values of a function of the phase. */
+    template <class Function>
+    Samples sample(const Function &function)
+    {
+      Samples samples;
+      for (unsigned int k = 0; k < n_samples; ++k)
+        samples.push_back(function(2. * numbers::PI * k / n_samples));
+      return samples;
+    }
+
+    /** The largest of |a_i - factor b_i|. */
+    double compute_distance(const std::vector<double> &a, const std::vector<double> &b,
+                            const double factor)
+    {
+      double largest = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        largest = std::max(largest, std::abs(a[i] - factor * b[i]));
+      return largest;
+    }
+  } // namespace
+
+  bool is_reciprocal(const Gait &gait)
+  {
+    if (!gait.is_periodic())
+      return false;
+    const Samples shapes = sample([&](const double psi) { return gait.describe_shape(psi); });
+    // Played backwards from one phase and forwards from another one it is the same.
+    for (unsigned int shift = 0; shift < n_samples; ++shift)
+    {
+      double distance = 0.;
+      for (unsigned int k = 0; k < n_samples && distance < tolerance; ++k)
+        distance = std::max(
+            distance, compute_distance(shapes[k], shapes[(shift + n_samples - k) % n_samples], 1.));
+      if (distance < tolerance)
+        return true;
+    }
+    return false;
+  }
+
+  bool has_glide_symmetry(const Gait &gait)
+  {
+    if (!gait.is_periodic())
+      return false;
+    const Samples c        = sample([&](const double psi) { return gait.evaluate(psi).c; });
+    double        distance = 0.;
+    for (unsigned int k = 0; k < n_samples; ++k)
+      distance =
+          std::max(distance, compute_distance(c[k], c[(k + n_samples / 2) % n_samples], -1.));
+    return distance < tolerance;
+  }
 } // namespace caudal

@@ -1,17 +1,11 @@
 #include <caudal/base/expression.h>
 #include <caudal/fluid/body_force.h>
 
-#include <deal.II/base/function_parser.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace caudal
 {
-  namespace
-  {
-    const std::string path = "Fluid/Body force";
-  }
-
   template <int dim>
   BodyForceLoads<dim>::BodyForceLoads(const FluidParameters<dim> &parameters)
       : parameters(parameters)
@@ -33,8 +27,8 @@ namespace caudal
     n_per_cell          = element.n_dofs_per_cell();
     loads.assign(dofs.get_triangulation().n_active_cells() * n_per_cell, 0.);
 
-    const auto function = make_expression<dim>(path, parameters.body_force, dim);
-    function->set_time(new_time);
+    Expression<dim> function("Fluid/Body force", parameters.body_force, dim);
+    function.set_time(new_time);
     FEValues<dim>  values(element, QGauss<dim>(element.degree + 1),
                           update_values | update_quadrature_points | update_JxW_values);
     Vector<double> force(dim);
@@ -45,9 +39,7 @@ namespace caudal
         values.reinit(cell);
         for (const unsigned int q : values.quadrature_point_indices())
         {
-          function->vector_value(values.quadrature_point(q), force);
-          if (!numbers::is_finite(force.norm_sqr()))
-            check_finite(path, parameters.body_force, *function, values.quadrature_point(q));
+          function.vector_value(values.quadrature_point(q), force);
           for (unsigned int i = 0; i < n_per_cell; ++i)
             load[i] += force[element.system_to_component_index(i).first] *
                        values.shape_value(i, q) * values.JxW(q);

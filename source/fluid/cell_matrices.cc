@@ -73,9 +73,9 @@ namespace caudal
 
     // 1, x, y, (z) about the cell's centre are orthogonal; normalise them.
     linear_values.reinit(quadrature.size(), dim + 1);
-    const double volume =
-        velocity_element.reference_cell().volume() *
-        std::accumulate(cell_size.begin_raw(), cell_size.end_raw(), 1., std::multiplies<double>());
+    double volume = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      volume *= cell_size[d];
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       linear_values(q, 0) = 1 / std::sqrt(volume);

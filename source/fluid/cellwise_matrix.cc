@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/cellwise_matrix.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -10,10 +11,9 @@ namespace caudal
   void CellwiseMatrix::reinit(const DoFHandler<dim>           &dofs,
                               const AffineConstraints<double> &constraints)
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    const Utilities::MPI::Partitioner partitioner(dofs.locally_owned_dofs(), relevant,
-                                                  dofs.get_communicator());
+    const Utilities::MPI::Partitioner partitioner(dofs.locally_owned_dofs(),
+                                                  DoFTools::extract_locally_relevant_dofs(dofs),
+                                                  compatibility::get_communicator(dofs));
     unknowns.clear();
     local_unknowns.clear();
     constrained.clear();

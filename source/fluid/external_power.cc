@@ -18,7 +18,6 @@ namespace caudal
       SidePower(const FluidSpace<dim> &space, const FluidState<dim> &state)
           : space(space)
           , state(state)
-          , conditions(space.get_parameters().get_boundary_conditions())
           , quadrature(space.velocity_element.degree + 2)
           , velocities(space.velocity_element, quadrature,
                        update_values | update_gradients | update_normal_vectors | update_JxW_values)
@@ -28,8 +27,8 @@ namespace caudal
       /** Of face @p f of @p cell; none at walls and symmetry planes. */
       double compute(const Cell &cell, const unsigned int f)
       {
-        const BoundaryCondition condition = conditions[cell->face(f)->boundary_id()];
-        if (condition != BoundaryCondition::inflow && condition != BoundaryCondition::outflow)
+        const auto &condition = space.get_boundary_condition(cell->face(f)->boundary_id());
+        if (!condition.has_velocity() && !condition.is_open())
           return 0.;
         velocities.reinit(cell, f);
         pressures.reinit(Cell(*cell, &space.pressure_dofs), f);
@@ -41,7 +40,7 @@ namespace caudal
         {
           const Tensor<1, dim> &n = velocities.normal_vector(q), &u = flow.velocity[q];
           double                flux = u * n, stress_power = 0.;
-          if (condition == BoundaryCondition::outflow)
+          if (condition.is_open())
             flux = parameters.backflow_stabilisation ? std::max(flux, 0.) : flux;
           else
             stress_power = parameters.get_viscosity() * (u * (flow.gradient[q] * n)) -
@@ -55,12 +54,11 @@ namespace caudal
       }
 
     private:
-      const FluidSpace<dim>               &space;
-      const FluidState<dim>               &state;
-      const std::vector<BoundaryCondition> conditions;
-      const QGauss<dim - 1>                quadrature;
-      FEFaceValues<dim>                    velocities, pressures;
-      FaceFlow<dim>                        flow;
+      const FluidSpace<dim> &space;
+      const FluidState<dim> &state;
+      const QGauss<dim - 1>  quadrature;
+      FEFaceValues<dim>      velocities, pressures;
+      FaceFlow<dim>          flow;
     };
 
     /** int f.u over the cells of this rank */

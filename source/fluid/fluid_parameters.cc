@@ -1,19 +1,22 @@
 #include <caudal/fluid/fluid_parameters.h>
 
+#include <caudal/base/checks.h>
 #include <caudal/base/expression.h>
 #include <caudal/mesh/domain.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace caudal
 {
   template <int dim>
   FluidParameters<dim>::FluidParameters()
-      : inflow_velocity(dim == 2 ? "0; 0" : "0; 0; 0")
-      , initial_velocity(inflow_velocity)
-      , body_force(inflow_velocity)
-  {}
+      : initial_velocity(dim == 2 ? "0; 0" : "0; 0; 0")
+      , body_force(initial_velocity)
+  {
+    inflow.velocity = initial_velocity;
+    for (const std::string &side : get_side_names(dim))
+      sides.emplace_back(side, "wall", "Condition on this side:", side + " ");
+  }
 
   template <int dim>
   void FluidParameters<dim>::add_parameters(ParameterHandler &prm)
@@ -34,35 +37,18 @@ namespace caudal
     prm.add_parameter(
         "Backflow stabilisation", backflow_stabilisation,
         "Let no kinetic energy enter through an outflow side where the flow reverses.");
-    prm.add_parameter(
-        "Inflow velocity", inflow_velocity,
-        "Velocity on inflow sides as function of x, y, (z,) t, components separated by ';' [m/s].");
-    prm.add_parameter("Inflow ramp", inflow_ramp,
+    prm.add_parameter("Inflow velocity", inflow.velocity,
+                      "Velocity on inflow sides that have none of their own, as function of x, y, "
+                      "(z,) t, components separated by ';' [m/s].");
+    prm.add_parameter("Inflow ramp", inflow.ramp,
                       "Time during which the inflow velocity grows as (1-cos(pi t/ramp))/2 [s].");
     prm.add_parameter("Initial velocity", initial_velocity,
                       "Velocity at t = 0, components separated by ';' [m/s].");
     prm.add_parameter("Body force", body_force,
                       "Force per volume on the whole domain, components separated by ';' [N/m^3].");
-    prm.add_parameter("Exact solution", exact_solution,
-                      "For verification: velocity components [m/s] and pressure [Pa], separated by "
-                      "';'. Their errors become part of the statistics.");
-    prm.add_parameter("Probes", probes,
-                      "Points of the domain at which velocity and pressure become part of the "
-                      "statistics; coordinates separated by ',', points by ';' [m].");
-    prm.add_parameter("Control volume", control_volume,
-                      "Lower and upper corner of a box round all bodies. The momentum balance of "
-                      "the coarse cells with a centre in it gives the force on the bodies once "
-                      "more, in the statistics and, if there is one body that stays in it, as "
-                      "the mean of each tail beat; once a body has left the box, which the log "
-                      "tells, it means nothing. Coordinates separated by ',', corners by ';' [m]. "
-                      "None: not done.");
     prm.enter_subsection("Boundary conditions");
-    const std::vector<std::string> sides = get_side_names(dim);
-    for (unsigned int side = 0; side < sides.size(); ++side)
-      prm.add_parameter(sides[side], boundary_names[side],
-                        "wall: no slip; inflow: the inflow velocity; outflow: no traction; free "
-                        "slip: no flow through it, no friction on it.",
-                        Patterns::Selection("wall|inflow|outflow|free slip"));
+    for (auto &side : sides)
+      side.add_parameters(prm);
     prm.leave_subsection();
     prm.leave_subsection();
   }
@@ -70,54 +56,34 @@ namespace caudal
   template <int dim>
   void FluidParameters<dim>::check() const
   {
-    const auto check_range = [](const char *entry, const double value, const bool may_be_zero) {
-      AssertThrow(std::isfinite(value) && (value > 0 || (may_be_zero && value == 0)),
-                  ExcMessage(std::string("Fluid/") + entry + ": the value is " +
-                             std::to_string(value) + ". Give a positive number" +
-                             (may_be_zero ? " or 0." : ".")));
-    };
-    check_range("Density", density, false);
-    check_range("Kinematic viscosity", kinematic_viscosity, false);
-    check_range("Grad-div stabilisation", grad_div, true);
-    check_range("Convection stabilisation", convection_stabilisation, true);
-    AssertThrow(control_volume.empty() || control_volume.size() == 2,
-                ExcMessage("Fluid/Control volume: there are " +
-                           std::to_string(control_volume.size()) +
-                           " points. Give two, the lower and the upper corner, or none."));
-    for (unsigned int d = 0; d < dim && !control_volume.empty(); ++d)
-      AssertThrow(control_volume[0][d] < control_volume[1][d],
-                  ExcMessage("Fluid/Control volume: the first corner is not below the second in "
-                             "direction " +
-                             std::to_string(d) + ". Exchange them."));
-    check_range("Inflow ramp", inflow_ramp, true);
-    make_expression<dim>("Fluid/Inflow velocity", inflow_velocity, dim);
-    AssertThrow(has_condition(BoundaryCondition::inflow) ||
-                    inflow_velocity == FluidParameters<dim>().inflow_velocity,
+    check_positive("Fluid/Density", density);
+    check_positive("Fluid/Kinematic viscosity", kinematic_viscosity);
+    check_not_negative("Fluid/Grad-div stabilisation", grad_div);
+    check_not_negative("Fluid/Convection stabilisation", convection_stabilisation);
+    check_not_negative("Fluid/Inflow ramp", inflow.ramp);
+    Expression<dim>("Fluid/Inflow velocity", inflow.velocity, dim);
+    for (const auto &side : sides)
+      side.check("Fluid/Boundary conditions");
+    AssertThrow(std::any_of(sides.begin(), sides.end(),
+                            [](const auto &side) { return side.get().has_velocity(); }) ||
+                    inflow.velocity == FluidParameters<dim>().inflow.velocity,
                 ExcMessage("Fluid/Inflow velocity: no side is an inflow. Set one to inflow in "
                            "Fluid/Boundary conditions, or leave the velocity out."));
-    make_expression<dim>("Fluid/Initial velocity", initial_velocity, dim);
-    make_expression<dim>("Fluid/Body force", body_force, dim);
-    if (!exact_solution.empty())
-      make_expression<dim>("Fluid/Exact solution", exact_solution, dim + 1);
+    Expression<dim>("Fluid/Initial velocity", initial_velocity, dim);
+    Expression<dim>("Fluid/Body force", body_force, dim);
   }
 
   template <int dim>
-  std::vector<BoundaryCondition> FluidParameters<dim>::get_boundary_conditions() const
+  std::vector<std::unique_ptr<BoundaryCondition<dim>>>
+  FluidParameters<dim>::create_boundary_conditions() const
   {
-    std::vector<BoundaryCondition> conditions;
-    for (const std::string &name : boundary_names)
-      conditions.push_back(name == "wall"      ? BoundaryCondition::wall
-                           : name == "inflow"  ? BoundaryCondition::inflow
-                           : name == "outflow" ? BoundaryCondition::outflow
-                                               : BoundaryCondition::free_slip);
+    std::vector<std::unique_ptr<BoundaryCondition<dim>>> conditions;
+    for (const auto &side : sides)
+    {
+      conditions.push_back(side.create());
+      conditions.back()->set_up(inflow, side.get_path("Fluid/Boundary conditions"));
+    }
     return conditions;
-  }
-
-  template <int dim>
-  bool FluidParameters<dim>::has_condition(const BoundaryCondition condition) const
-  {
-    const auto conditions = get_boundary_conditions();
-    return std::find(conditions.begin(), conditions.end(), condition) != conditions.end();
   }
 
   template <int dim>

@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_snapshot.h>
 
 #include <deal.II/grid/cell_id.h>
@@ -59,22 +60,6 @@ namespace caudal
       }
     }
 
-    template <class Number>
-    std::vector<Number> gather_on_root(const std::vector<Number> &part, const MPI_Comm communicator)
-    {
-      std::vector<Number> all;
-      for (const auto &one : Utilities::MPI::gather(communicator, part))
-        all.insert(all.end(), one.begin(), one.end());
-      return all;
-    }
-
-    template <int dim>
-    unsigned int n_values_per_cell(const FluidSpace<dim> &space)
-    {
-      return 2 * space.velocity_element.n_dofs_per_cell() +
-             space.pressure_element.n_dofs_per_cell();
-    }
-
     void check_fit(const bool fits)
     {
       AssertThrow(fits,
@@ -84,7 +69,9 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  FluidSnapshot take_snapshot(const FluidSpace<dim> &space, const FluidState<dim> &state)
+  FluidSnapshot take_snapshot(const FluidSpace<dim>                  &space,
+                              const std::vector<const FieldVector *> &velocities,
+                              const FieldVector                      &pressure)
   {
     FluidSnapshot snapshot;
     for (const auto &cell : space.get_triangulation().active_cell_iterators())
@@ -92,14 +79,23 @@ namespace caudal
       {
         const Key key = cell->id().template to_binary<dim>();
         snapshot.cells.insert(snapshot.cells.end(), key.begin(), key.end());
-        const auto velocity = get_cell_of(space.velocity_dofs, cell);
-        append_values(velocity, state.velocity, snapshot.values);
-        append_values(velocity, state.old_velocity, snapshot.values);
-        append_values(get_cell_of(space.pressure_dofs, cell), state.pressure, snapshot.values);
+        for (const FieldVector *velocity : velocities)
+          append_values(get_cell_of(space.velocity_dofs, cell), *velocity, snapshot.values);
+        append_values(get_cell_of(space.pressure_dofs, cell), pressure, snapshot.values);
       }
-    snapshot.cells  = gather_on_root(snapshot.cells, space.get_communicator());
-    snapshot.values = gather_on_root(snapshot.values, space.get_communicator());
     return snapshot;
+  }
+
+  void gather_on_root(FluidSnapshot &snapshot, const MPI_Comm communicator)
+  {
+    const auto join = [&](auto &part) {
+      const auto parts = Utilities::MPI::gather(communicator, part);
+      part.clear();
+      for (const auto &one : parts)
+        part.insert(part.end(), one.begin(), one.end());
+    };
+    join(snapshot.cells);
+    join(snapshot.values);
   }
 
   template <int dim>
@@ -118,7 +114,7 @@ namespace caudal
           cell->set_refine_flag();
           refines = 1;
         }
-      if (Utilities::MPI::max(refines, triangulation.get_communicator()) == 0)
+      if (Utilities::MPI::max(refines, compatibility::get_communicator(triangulation)) == 0)
         break;
       check_fit(level + 1 < domain.levels);
       triangulation.execute_coarsening_and_refinement();
@@ -128,30 +124,37 @@ namespace caudal
 
   template <int dim>
   void restore_fields(const FluidSnapshot &snapshot, const FluidSpace<dim> &space,
-                      FluidState<dim> &state)
+                      const std::vector<FieldVector *> &velocities, FieldVector &pressure)
   {
     const auto         index  = make_index(snapshot);
-    const unsigned int stride = n_values_per_cell(space);
+    const unsigned int stride = velocities.size() * space.velocity_element.n_dofs_per_cell() +
+                                space.pressure_element.n_dofs_per_cell();
     check_fit(snapshot.values.size() == index.size() * stride);
-    state.reinit(space);
+    for (FieldVector *velocity : velocities)
+      velocity->reinit(space.get_velocity_layout());
+    pressure.reinit(space.make_pressure_vector());
     for (const auto &cell : space.get_triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
       {
         auto value =
             snapshot.values.begin() + index.at(cell->id().template to_binary<dim>()) * stride;
-        const auto velocity = get_cell_of(space.velocity_dofs, cell);
-        set_values(velocity, state.velocity, value);
-        set_values(velocity, state.old_velocity, value);
-        set_values(get_cell_of(space.pressure_dofs, cell), state.pressure, value);
+        for (FieldVector *velocity : velocities)
+          set_values(get_cell_of(space.velocity_dofs, cell), *velocity, value);
+        set_values(get_cell_of(space.pressure_dofs, cell), pressure, value);
       }
-    state.update_ghost_values();
+    for (FieldVector *velocity : velocities)
+      velocity->update_ghost_values();
+    pressure.update_ghost_values();
   }
 
 #define INSTANTIATE(dim)                                                                           \
-  template FluidSnapshot take_snapshot(const FluidSpace<dim> &, const FluidState<dim> &);          \
-  template void          restore_grid(const FluidSnapshot &, const DomainParameters<dim> &,        \
-                                      parallel::distributed::Triangulation<dim> &);                \
-  template void restore_fields(const FluidSnapshot &, const FluidSpace<dim> &, FluidState<dim> &);
+  template FluidSnapshot take_snapshot(                                                            \
+      const FluidSpace<dim> &, const std::vector<const FieldVector *> &, const FieldVector &);     \
+  template void restore_grid(const FluidSnapshot &, const DomainParameters<dim> &,                 \
+                             parallel::distributed::Triangulation<dim> &);                         \
+  template void restore_fields(const FluidSnapshot &, const FluidSpace<dim> &,                     \
+                               const std::vector<FieldVector *> &, FieldVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace caudal

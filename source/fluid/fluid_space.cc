@@ -1,45 +1,17 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_space.h>
 
 #include <caudal/base/collective.h>
-#include <caudal/base/expression.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
-#include <cmath>
+#include <algorithm>
+#include <numeric>
 
 namespace caudal
 {
-  namespace
-  {
-    const std::string inflow_path = "Fluid/Inflow velocity";
-
-    /** The inflow velocity times the ramp, refused where it is not finite. */
-    template <int dim>
-    class RampedInflow : public Function<dim>
-    {
-    public:
-      RampedInflow(const Function<dim> &velocity, const double ramp, const std::string &expression)
-          : Function<dim>(dim)
-          , velocity(velocity)
-          , ramp(ramp)
-          , expression(expression)
-      {}
-
-      double value(const Point<dim> &point, const unsigned int component) const override
-      {
-        check_finite(inflow_path, expression, velocity, point);
-        return ramp * velocity.value(point, component);
-      }
-
-    private:
-      const Function<dim> &velocity;
-      const double         ramp;
-      const std::string   &expression;
-    };
-  } // namespace
-
   template <int dim>
   FluidSpace<dim>::FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
                               const DomainParameters<dim>               &domain,
@@ -51,6 +23,7 @@ namespace caudal
       , triangulation(triangulation)
       , parameters(parameters)
       , domain_size(domain.size)
+      , boundary_conditions(parameters.create_boundary_conditions())
       , body_force_loads(parameters)
   {
     for (unsigned int level = 0; level < domain.levels; ++level)
@@ -64,49 +37,54 @@ namespace caudal
     velocity_dofs.distribute_dofs(velocity_element);
     pressure_dofs.distribute_dofs(pressure_element);
     homogeneous_constraints.copy_from(make_constraints(0, true));
-    constraints.copy_from(homogeneous_constraints);
+    constraints_time.reset();
+    for (auto [dofs, layout] : {std::make_pair(&velocity_dofs, &velocity_layout),
+                                std::make_pair(&pressure_dofs, &pressure_layout)})
+      *layout = std::make_shared<Utilities::MPI::Partitioner>(
+          dofs->locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(*dofs),
+          get_communicator());
   }
 
   template <int dim>
-  void FluidSpace<dim>::set_boundary_values(const double time)
+  const AffineConstraints<double> &FluidSpace<dim>::get_constraints(const double time) const
   {
-    if (parameters.has_condition(BoundaryCondition::inflow))
+    if (std::none_of(boundary_conditions.begin(), boundary_conditions.end(),
+                     [](const auto &condition) { return condition->has_velocity(); }))
+      return homogeneous_constraints;
+    if (constraints_time != time)
+    {
       constraints.copy_from(make_constraints(time, false));
+      constraints_time = time;
+    }
+    return constraints;
   }
 
   template <int dim>
   AffineConstraints<double> FluidSpace<dim>::make_constraints(const double time,
                                                               const bool   homogeneous) const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    AffineConstraints<double> result(relevant);
+    AffineConstraints<double> result = compatibility::make_constraints(
+        velocity_dofs.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(velocity_dofs));
     DoFTools::make_hanging_node_constraints(velocity_dofs, result);
 
-    const Functions::ZeroFunction<dim> zero(dim);
-    const auto inflow = make_expression<dim>(inflow_path, parameters.inflow_velocity, dim);
-    inflow->set_time(time);
-    const double            ramp = time < parameters.inflow_ramp
-                                       ? 0.5 * (1 - std::cos(numbers::PI * time / parameters.inflow_ramp))
-                                       : 1;
-    const RampedInflow<dim> ramped_inflow(*inflow, ramp, parameters.inflow_velocity);
-
-    const std::vector<BoundaryCondition> conditions = parameters.get_boundary_conditions();
-    // Walls come first: where they meet an inflow, the corner is at rest.
+    std::vector<unsigned int> sides(boundary_conditions.size());
+    std::iota(sides.begin(), sides.end(), 0);
+    std::stable_sort(sides.begin(), sides.end(), [&](const unsigned int a, const unsigned int b) {
+      return boundary_conditions[a]->get_rank() < boundary_conditions[b]->get_rank();
+    });
     run_on_all(get_communicator(), [&]() {
-      for (const BoundaryCondition condition :
-           {BoundaryCondition::wall, BoundaryCondition::inflow, BoundaryCondition::free_slip})
-        for (unsigned int side = 0; side < conditions.size(); ++side)
-          if (conditions[side] == condition)
-          {
-            ComponentMask components(dim, condition != BoundaryCondition::free_slip);
-            components.set(side / 2, true);
-            const bool is_inflow = condition == BoundaryCondition::inflow && !homogeneous;
-            VectorTools::interpolate_boundary_values(
-                velocity_dofs, side,
-                is_inflow ? static_cast<const Function<dim> &>(ramped_inflow) : zero, result,
-                components);
-          }
+      for (const unsigned int side : sides)
+      {
+        const ComponentMask components =
+            boundary_conditions[side]->get_prescribed_components(/*normal=*/side / 2);
+        if (components.n_selected_components(dim) == 0)
+          continue;
+        const std::unique_ptr<Function<dim>> velocity =
+            homogeneous ? std::make_unique<Functions::ZeroFunction<dim>>(dim)
+                        : boundary_conditions[side]->make_velocity(time);
+        VectorTools::interpolate_boundary_values(velocity_dofs, side, *velocity, result,
+                                                 components);
+      }
     });
     result.close();
     return result;
@@ -119,22 +97,6 @@ namespace caudal
     for (unsigned int d = 0; d < dim; ++d)
       volume *= domain_size[d];
     return volume * dim / velocity_dofs.n_dofs();
-  }
-
-  template <int dim>
-  FieldVector FluidSpace<dim>::make_velocity_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(velocity_dofs, relevant);
-    return FieldVector(velocity_dofs.locally_owned_dofs(), relevant, get_communicator());
-  }
-
-  template <int dim>
-  FieldVector FluidSpace<dim>::make_pressure_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(pressure_dofs, relevant);
-    return FieldVector(pressure_dofs.locally_owned_dofs(), relevant, get_communicator());
   }
 
   template class FluidSpace<2>;

@@ -5,9 +5,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/numerics/vector_tools_integrate_difference.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
-#include <deal.II/numerics/vector_tools_mean_value.h>
 
 #include <cmath>
 
@@ -29,90 +27,15 @@ namespace caudal
     pressure.update_ghost_values();
   }
 
-  namespace
-  {
-    /** A vector field of the .prm, refused where it is not finite. */
-    template <int dim>
-    class CheckedFunction : public Function<dim>
-    {
-    public:
-      CheckedFunction(const std::string &path, const std::string &expression,
-                      const unsigned int n_components)
-          : Function<dim>(n_components)
-          , path(path)
-          , expression(expression)
-          , function(make_expression<dim>(path, expression, n_components))
-      {}
-
-      double value(const Point<dim> &point, const unsigned int component) const override
-      {
-        check_finite(path, expression, *function, point);
-        return function->value(point, component);
-      }
-
-      void set_time(const double time) override
-      {
-        function->set_time(time);
-      }
-
-    private:
-      const std::string                          path, expression;
-      const std::unique_ptr<FunctionParser<dim>> function;
-    };
-
-    /** One or several components of a function as a function of its own. */
-    template <int dim>
-    class Components : public Function<dim>
-    {
-    public:
-      Components(const Function<dim> &function, const unsigned int first, const unsigned int n)
-          : Function<dim>(n)
-          , function(function)
-          , first(first)
-      {}
-
-      double value(const Point<dim> &point, const unsigned int component) const override
-      {
-        return function.value(point, first + component);
-      }
-
-    private:
-      const Function<dim> &function;
-      const unsigned int   first;
-    };
-  } // namespace
-
   template <int dim>
   void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state)
   {
-    VectorTools::interpolate(space.velocity_dofs,
-                             CheckedFunction<dim>("Fluid/Initial velocity",
-                                                  space.get_parameters().initial_velocity, dim),
-                             state.velocity);
-    space.constraints.distribute(state.velocity);
+    VectorTools::interpolate(
+        space.velocity_dofs,
+        Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
+        state.velocity);
+    space.get_constraints(0).distribute(state.velocity);
     state.update_ghost_values();
-  }
-
-  template <int dim>
-  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity)
-  {
-    const FESystem<dim> &element = space.velocity_element;
-    const unsigned int   n = element.n_dofs_per_cell(), n_s = n / dim;
-    Vector<double>       values(n), scalar(n_s);
-    double               square = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell->get_dof_values(velocity, values);
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          for (unsigned int s = 0; s < n_s; ++s)
-            scalar[s] = values[element.component_to_system_index(d, s)];
-          square += space.get_cell_matrices(cell->level()).get_mass().matrix_norm_square(scalar);
-        }
-      }
-    return 0.5 * space.get_parameters().density *
-           Utilities::MPI::sum(square, space.get_communicator());
   }
 
   template <int dim>
@@ -261,50 +184,6 @@ namespace caudal
   }
 
   template <int dim>
-  std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
-                                           const FluidState<dim> &state, const double time)
-  {
-    CheckedFunction<dim> exact("Fluid/Exact solution", space.get_parameters().exact_solution,
-                               dim + 1);
-    exact.set_time(time);
-    const Components<dim> exact_velocity(exact, 0, dim), exact_pressure(exact, dim, 1);
-    const QGauss<dim>     quadrature(5);
-    const auto           &triangulation = space.get_triangulation();
-    Vector<float>         errors(triangulation.n_active_cells());
-    run_on_all(space.get_communicator(), [&]() {
-      VectorTools::integrate_difference(space.velocity_dofs, state.velocity, exact_velocity, errors,
-                                        quadrature, VectorTools::L2_norm);
-    });
-    const double velocity_error =
-        VectorTools::compute_global_error(triangulation, errors, VectorTools::L2_norm);
-
-    // The pressure is known up to a constant if no side fixes it.
-    FEValues<dim>       values(space.pressure_element, quadrature,
-                               update_values | update_quadrature_points | update_JxW_values);
-    std::vector<double> pressures(quadrature.size());
-    double              volume = 0, mean = 0, square = 0;
-    run_on_all(space.get_communicator(), [&]() {
-      for (const auto &cell : space.pressure_dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-        {
-          values.reinit(cell);
-          values.get_function_values(state.pressure, pressures);
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            const double error = pressures[q] - exact_pressure.value(values.quadrature_point(q), 0);
-            volume += values.JxW(q);
-            mean += error * values.JxW(q);
-            square += error * error * values.JxW(q);
-          }
-        }
-    });
-    volume = Utilities::MPI::sum(volume, space.get_communicator());
-    mean   = Utilities::MPI::sum(mean, space.get_communicator()) / volume;
-    square = Utilities::MPI::sum(square, space.get_communicator());
-    return {velocity_error, std::sqrt(std::max(square - mean * mean * volume, 0.))};
-  }
-
-  template <int dim>
   void VorticityPostprocessor<dim>::evaluate_vector_field(
       const DataPostprocessorInputs::Vector<dim> &input,
       std::vector<Vector<double>>                &quantities) const
@@ -346,15 +225,12 @@ namespace caudal
   template struct FluidState<dim>;                                                                 \
   template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);      \
   template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
-  template double           compute_kinetic_energy(const FluidSpace<dim> &, const FieldVector &);  \
   template double compute_stabilisation_dissipation(const FluidSpace<dim> &, const FieldVector &,  \
                                                     double);                                       \
-  template ProbeValues<dim>          evaluate_at(const FluidSpace<dim> &, const FluidState<dim> &, \
-                                                 const Point<dim> &);                              \
-  template Vector<float>             compute_vorticity_indicator(const FluidSpace<dim> &,          \
-                                                                 const FieldVector &);             \
-  template std::pair<double, double> compute_errors(const FluidSpace<dim> &,                       \
-                                                    const FluidState<dim> &, double);              \
+  template ProbeValues<dim> evaluate_at(const FluidSpace<dim> &, const FluidState<dim> &,          \
+                                        const Point<dim> &);                                       \
+  template Vector<float>    compute_vorticity_indicator(const FluidSpace<dim> &,                   \
+                                                        const FieldVector &);                      \
   template class VorticityPostprocessor<dim>;
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,10 +1,9 @@
 #include <caudal/base/collective.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/fluid/momentum_operator.h>
 
-#include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 namespace caudal
 {
@@ -16,40 +15,9 @@ namespace caudal
   template <int dim>
   void MomentumOperator<dim>::reinit()
   {
-    const DoFHandler<dim> &velocity_dofs = space.velocity_dofs,
-                          &pressure_dofs = space.pressure_dofs;
-    const IndexSet &owned_velocities     = velocity_dofs.locally_owned_dofs();
-    const IndexSet &owned_pressures      = pressure_dofs.locally_owned_dofs();
-    matrix.reinit(velocity_dofs, space.homogeneous_constraints);
+    matrix.reinit(space.velocity_dofs, space.get_homogeneous_constraints());
     matrix_is_constant = false;
-
-    const AffineConstraints<double>      no_constraints;
-    std::vector<types::global_dof_index> rows(pressure_dofs.get_fe().n_dofs_per_cell());
-    std::vector<types::global_dof_index> columns(velocity_dofs.get_fe().n_dofs_per_cell());
-    TrilinosWrappers::SparsityPattern    divergence_pattern(owned_pressures, owned_velocities,
-                                                            space.get_communicator(), columns.size());
-    const auto                           for_each_cell = [&](const auto &operation) {
-      for (const auto &cell : velocity_dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(columns);
-          typename DoFHandler<dim>::active_cell_iterator(*cell, &pressure_dofs)
-              ->get_dof_indices(rows);
-          operation(cell->level());
-        }
-    };
-    for_each_cell([&](const unsigned int) {
-      no_constraints.add_entries_local_to_global(rows, space.homogeneous_constraints, columns,
-                                                 divergence_pattern);
-    });
-    divergence_pattern.compress();
-    divergence_matrix.reinit(divergence_pattern);
-    for_each_cell([&](const unsigned int level) {
-      no_constraints.distribute_local_to_global(space.get_cell_matrices(level).get_divergence(),
-                                                rows, space.homogeneous_constraints, columns,
-                                                divergence_matrix);
-    });
-    divergence_matrix.compress(VectorOperation::add);
+    divergence_matrix.reinit(space, space.get_homogeneous_constraints());
   }
 
   namespace
@@ -64,16 +32,15 @@ namespace caudal
                            const typename DoFHandler<dim>::active_cell_iterator &cell,
                            const Vector<double> &transport, FullMatrix<double> &convection)
     {
-      const FESystem<dim> &element    = space.velocity_element;
-      const auto          &scalar     = element.base_element(0);
-      const auto           conditions = space.get_parameters().get_boundary_conditions();
+      const FESystem<dim> &element = space.velocity_element;
+      const auto          &scalar  = element.base_element(0);
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() &&
-            conditions[cell->face(f)->boundary_id()] == BoundaryCondition::outflow)
+            space.get_boundary_condition(cell->face(f)->boundary_id()).is_open())
         {
           const QGauss<dim - 1> face_quadrature(3);
-          const Quadrature<dim> quadrature = QProjector<dim>::project_to_face(
-              ReferenceCells::get_hypercube<dim>(), face_quadrature, f);
+          const Quadrature<dim> quadrature =
+              compatibility::project_to_face<dim>(face_quadrature, f);
           const double area = cell->face(f)->measure();
           for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
@@ -241,13 +208,13 @@ namespace caudal
   };
 
   template <int dim>
-  bool MomentumOperator<dim>::assemble(const MomentumStep &step, const FieldVector &velocity,
-                                       const FieldVector &pressure, FieldVector &residual)
+  FieldVector MomentumOperator<dim>::assemble(const MomentumStep &step, const FieldVector &velocity,
+                                              const FieldVector &pressure) const
   {
     const bool matrix_changes =
         step.transport != nullptr || !matrix_is_constant || !(step.weights == constant_weights);
-    matrix_is_constant = false; // unless all cells are set
-    residual           = 0;
+    matrix_is_constant   = false; // unless all cells are set
+    FieldVector residual = space.make_velocity_vector();
 
     const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
     FullMatrix<double>                   cell_matrix(n, n);
@@ -264,7 +231,8 @@ namespace caudal
           assembler.add_known_terms(cell, pressure, cell_residual);
           assembler.subtract_implicit_terms(cell, velocity, cell_residual, cell_matrix);
           cell->get_dof_indices(dofs);
-          space.homogeneous_constraints.distribute_local_to_global(cell_residual, dofs, residual);
+          space.get_homogeneous_constraints().distribute_local_to_global(cell_residual, dofs,
+                                                                         residual);
           if (matrix_changes)
             matrix.set(index++, cell_matrix);
         }
@@ -273,13 +241,13 @@ namespace caudal
     throw_on_all(space.get_communicator(), error);
     matrix_is_constant = step.transport == nullptr;
     constant_weights   = step.weights;
-    return matrix_changes;
+    return residual;
   }
 
   template <int dim>
-  void MomentumOperator<dim>::compute_divergence(const FieldVector &velocity,
-                                                 FieldVector       &result) const
+  FieldVector MomentumOperator<dim>::compute_divergence(const FieldVector &velocity) const
   {
+    FieldVector    result = space.make_pressure_vector();
     Vector<double> values(space.velocity_element.n_dofs_per_cell());
     Vector<double> moments(space.pressure_element.n_dofs_per_cell());
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
@@ -290,6 +258,7 @@ namespace caudal
         typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
             ->set_dof_values(moments, result);
       }
+    return result;
   }
 
   template <int dim>

@@ -1,11 +1,11 @@
 // The derivative of the fluid's energy with respect to the shape, by the adjoint equations.
 
 #include <caudal/ideal/exterior_flow.h>
+#include <caudal/ideal/laplace_kernel.h>
 
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace caudal::ideal
 {
@@ -14,181 +14,153 @@ namespace caudal::ideal
                                         const std::vector<std::vector<Tensor<1, 3>>> &mode_rates)
   {
     Timer               timer;
-    std::vector<double> result(motion.modes.size(), 0.);
-    const Tensor<1, 3>  omega = Point<3>(u[0], u[1], u[2]);
+    std::vector<double> gradient(motion.modes.size(), 0.);
     for (const Equations &equations : systems)
     {
       // Flows of different symmetry have no energy in common, in symmetric shapes.
-      if (std::all_of(equations.motions.begin(), equations.motions.end(),
-                      [&](const unsigned int l) { return u[l] == 0.; }))
-        continue;
-      const NodalFlow     flow = combine(equations, u);
-      const NodalGradient gradient =
-          differentiate(equations, flow, compute_adjoint(equations, flow));
-      const bool   has_modes = std::any_of(equations.motions.begin(), equations.motions.end(),
-                                           [](const unsigned int l) { return l >= 6; });
-      Tensor<1, 3> turn;
+      std::vector<double> part(u.size(), 0.);
       for (const unsigned int l : equations.motions)
-        if (l < 3)
-          turn[l] = omega[l];
-      for (unsigned int mode = 0; mode < result.size(); ++mode)
-        for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-        {
-          // Of X and of omega x X + v + sum_j c_j' dX/dc_j
-          Tensor<1, 3> velocity = cross_product_3d(turn, motion.modes[mode][i]);
-          if (has_modes)
-            velocity += mode_rates[mode][i];
-          result[mode] +=
-              0.5 * (gradient.place[i] * motion.modes[mode][i] + gradient.velocity[i] * velocity);
-        }
+        part[l] = u[l];
+      if (part == std::vector<double>(u.size(), 0.))
+        continue;
+      const auto of_part = compute_energy_gradient(equations, part, mode_rates);
+      for (unsigned int mode = 0; mode < gradient.size(); ++mode)
+        gradient[mode] += of_part[mode];
     }
-    Utilities::MPI::sum(result, communicator, result);
+    Utilities::MPI::sum(gradient, communicator, gradient);
     cost.gradient += timer.cpu_time();
-    return result;
+    return gradient;
   }
 
   bool ExteriorFlow::interact(const Vector<double> &u, const Vector<double> &v) const
   {
     return std::any_of(systems.begin(), systems.end(), [&](const Equations &equations) {
-      const auto moves = [&](const Vector<double> &motion) {
+      const auto moves = [&](const Vector<double> &rates) {
         return std::any_of(equations.motions.begin(), equations.motions.end(),
-                           [&](const unsigned int l) { return motion(l) != 0.; });
+                           [&](const unsigned int l) { return rates(l) != 0.; });
       };
       return moves(u) && moves(v);
     });
   }
 
-  ExteriorFlow::NodalFlow ExteriorFlow::combine(const Equations           &equations,
-                                                const std::vector<double> &u) const
+  /** This rank's part, for motions that have the symmetry of the equations. */
+  std::vector<double>
+  ExteriorFlow::compute_energy_gradient(const Equations &equations, const std::vector<double> &u,
+                                        const std::vector<std::vector<Tensor<1, 3>>> &mode_rates)
   {
-    NodalFlow flow;
-    flow.potential.assign(surface.n_nodes(), 0.);
-    flow.velocity.resize(surface.n_nodes());
+    const unsigned int   n = surface.n_nodes();
+    const Vector<double> rates(u.begin(), u.end());
+    NodalFlow            flow{Vector<double>(n), std::vector<Tensor<1, 3>>(n)};
+    Vector<double>       f(n); // by the potential at the nodes: derivatives of int phi u.n dS
+    potentials.values.vmult(flow.potential, rates);
+    fluxes.vmult(f, rates);
     for (const unsigned int l : equations.motions)
-      for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+      for (unsigned int i = 0; i < n; ++i)
+        flow.velocity[i] += u[l] * velocities[l][i];
+
+    Vector<double> adjoint = fold(equations, f);
+    equations.matrix.solve(adjoint, /*transposed*/ true);
+    const NodalGradient by_nodes = differentiate(equations, flow, adjoint);
+
+    const Tensor<1, 3> omega({u[0], u[1], u[2]});
+    const bool has_modes = std::any_of(u.begin() + 6, u.end(), [](double c) { return c != 0.; });
+    std::vector<double> gradient(motion.modes.size(), 0.);
+    for (unsigned int mode = 0; mode < gradient.size(); ++mode)
+      for (unsigned int i = 0; i < n; ++i)
       {
-        flow.potential[i] += u[l] * potentials.values(i, l);
-        Tensor<1, 3> axis;
-        axis[l % 3] = 1.;
-        flow.velocity[i] +=
-            u[l] * (l < 3   ? cross_product_3d(axis, Tensor<1, 3>(motion.positions[i]))
-                    : l < 6 ? axis
-                            : motion.modes[l - 6][i]);
+        // Of X and of omega x X + v + sum_j c_j' dX/dc_j
+        Tensor<1, 3> velocity = cross_product_3d(omega, motion.modes[mode][i]);
+        if (has_modes)
+          velocity += mode_rates[mode][i];
+        gradient[mode] +=
+            0.5 * (by_nodes.place[i] * motion.modes[mode][i] + by_nodes.velocity[i] * velocity);
       }
-    return flow;
+    return gradient;
   }
 
-  CellFlow ExteriorFlow::extract_cell(const NodalFlow &flow, const unsigned int cell) const
-  {
-    CellFlow result;
-    std::memset(&result, 0, sizeof result);
-    const auto &nodes = surface.get_nodes(cell);
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-    {
-      result.potential[k] = flow.potential[nodes[k]];
-      for (unsigned int d = 0; d < 3; ++d)
-        result.velocity[d][k] = flow.velocity[nodes[k]][d];
-    }
-    return result;
-  }
-
-  Vector<double> ExteriorFlow::compute_adjoint(const Equations &equations,
-                                               const NodalFlow &flow) const
-  {
-    // f: the derivatives of int phi u.n dS with respect to phi at the nodes
-    std::vector<double> by_potential(surface.n_nodes(), 0.);
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-    {
-      const CellRule      &rule      = placed.get_regular(cell);
-      const ReferenceRule &reference = rule.get_reference();
-      const auto          &nodes     = surface.get_nodes(cell);
-      for (unsigned int q = 0; q < reference.n_points; ++q)
-      {
-        const double *const values = &reference.values[q * reference.stride];
-        Tensor<1, 3>        u;
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          u += values[k] * flow.velocity[nodes[k]];
-        const double flux = u * rule.get_area(q);
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          by_potential[nodes[k]] += values[k] * flux;
-      }
-    }
-    Vector<double> adjoint(equations.nodes.size());
-    fold(equations, by_potential.data(), adjoint.begin());
-    equations.matrix.solve(adjoint); // the transposed of what it holds is A
-    return adjoint;
-  }
-
-  void ExteriorFlow::add_to_nodes(const unsigned int cell, const CellGradient &cell_gradient,
-                                  NodalGradient &gradient) const
-  {
-    const auto &nodes = surface.get_nodes(cell);
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        gradient.place[nodes[k]][d] += cell_gradient.place[d][k];
-        gradient.velocity[nodes[k]][d] += cell_gradient.velocity[d][k];
-      }
-  }
-
-  /** All that the equations integrate over one cell; its rules fit into the cache. */
-  void ExteriorFlow::add_cell(const Equations &equations, const unsigned int cell,
-                              const NodalFlow &flow, const Vector<double> &adjoint,
-                              NodalGradient &gradient)
-  {
-    const auto        &nodes     = surface.get_nodes(cell);
-    const CellFlow     cell_flow = extract_cell(flow, cell);
-    const unsigned int rank      = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks   = Utilities::MPI::n_mpi_processes(communicator);
-    CellGradient       sums;
-    std::memset(&sums, 0, sizeof sums);
-    const auto end = [&](PlacedRule &at) {
-      if (!at.gradients.is_empty())
-        at.gradients.end(at.rule, placed.get_positions(cell), cell_flow, sums);
-    };
-    for (unsigned int k = rank; k < equations.nodes.size(); k += n_ranks)
-    {
-      const auto node = equations.nodes[k];
-      const auto add  = [&](PlacedRule &at) {
-        if (at.gradients.is_empty())
-          at.gradients.begin(at.rule, cell_flow);
-        at.gradients.add(at.rule, motion.positions[node], adjoint(k), flow.potential[node],
-                          gradient.place[node]);
-      };
-      const auto own = std::find(nodes.begin(), nodes.end(), node);
-      if (own != nodes.end())
-      {
-        PlacedRule &singular = placed.get_singular(cell, own - nodes.begin());
-        add(singular);
-        end(singular);
-      }
-      else if (placed.is_far(cell, node))
-        add(placed.get_regular(cell));
-      else
-        for (PlacedRule *const near : placed.find_near(cell, node))
-          add(*near);
-    }
-    if (rank == 0)
-    {
-      // The explicit part, -df.phi
-      PlacedRule &regular = placed.get_regular(cell);
-      if (regular.gradients.is_empty())
-        regular.gradients.begin(regular.rule, cell_flow);
-      regular.gradients.add_energy(regular.rule, -1.);
-    }
-    placed.visit_rules(cell, end);
-    add_to_nodes(cell, sums, gradient);
-  }
-
+  /**
+   * Derivatives of the sum over nodes x of lambda_x times the residual of their equation,
+   *   R_x = phi_x + int ((phi_y - phi_x) (y - x).N/(4 pi |y - x|^3) + u.N/(4 pi |y - x|)),
+   * minus int phi u.N: this rank's part.
+   */
   ExteriorFlow::NodalGradient ExteriorFlow::differentiate(const Equations      &equations,
                                                           const NodalFlow      &flow,
                                                           const Vector<double> &adjoint)
   {
-    NodalGradient gradient;
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    NodalGradient      gradient;
     gradient.place.resize(surface.n_nodes());
     gradient.velocity.resize(surface.n_nodes());
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-      add_cell(equations, cell, flow, adjoint, gradient);
+    {
+      std::vector<std::vector<unsigned int>> observers(1); // equations by the rules they use
+      for (unsigned int k = rank; k < equations.nodes.size(); k += n_ranks)
+        for (const unsigned int rule : placed.find_rules(cell, equations.nodes[k]))
+        {
+          observers.resize(std::max<std::size_t>(observers.size(), rule + 1));
+          observers[rule].push_back(k);
+        }
+      for (unsigned int rule = 0; rule < observers.size(); ++rule)
+        differentiate_rule(equations, cell, rule, observers[rule], flow, adjoint, gradient);
+    }
     return gradient;
+  }
+
+  /** What one rule has to add, through places y, elements N and fluxes w = u.N of its points. */
+  void ExteriorFlow::differentiate_rule(const Equations &equations, const unsigned int cell,
+                                        const unsigned int               number,
+                                        const std::vector<unsigned int> &observers,
+                                        const NodalFlow &flow, const Vector<double> &adjoint,
+                                        NodalGradient &gradient) const
+  {
+    const PlacedRule &rule  = placed.get_rule(cell, number);
+    const auto       &nodes = surface.get_nodes(cell);
+    const bool        has_energy =
+        number == PlacedSurface::regular && Utilities::MPI::this_mpi_process(communicator) == 0;
+    for (unsigned int q = 0; q < rule.points.size(); ++q)
+    {
+      const Point<3>     &y   = rule.points[q];
+      const Tensor<1, 3> &N   = rule.areas[q];
+      const auto         &N_k = rule.reference->values[q];
+      double              phi = 0.;
+      Tensor<1, 3>        u;
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        phi += N_k[k] * flow.potential(nodes[k]);
+        u += N_k[k] * flow.velocity[nodes[k]];
+      }
+      const double w    = u * N;
+      double       by_w = has_energy ? -phi : 0.;
+      Tensor<1, 3> by_y, by_N;
+      for (const unsigned int k : observers)
+      {
+        const auto          node    = equations.nodes[k];
+        const double        lambda  = adjoint(k);
+        const Tensor<1, 3>  r       = y - motion.positions[node];
+        const LaplaceKernel kernel  = evaluate_laplace_kernel(r, N);
+        const double        inverse = 1. / r.norm_square();
+        const double        jump    = lambda * (phi - flow.potential(node));
+        const double        along_N = jump * kernel.single_layer * inverse;
+        const double        along_r =
+            inverse * (3. * jump * kernel.double_layer - lambda * w * kernel.single_layer);
+        const Tensor<1, 3> by_r = along_N * N + along_r * r;
+        by_y += by_r;
+        gradient.place[node] -= by_r;
+        by_N += along_N * r;
+        by_w += lambda * kernel.single_layer;
+      }
+      // N = weight X_x x X_y, and w = u.N
+      by_N                      = rule.reference->weights[q] * (by_N + by_w * u);
+      const auto [X_x, X_y]     = rule.compute_tangents(placed.get_nodes(cell), q);
+      const Tensor<1, 3> by_X_x = cross_product_3d(X_y, by_N);
+      const Tensor<1, 3> by_X_y = cross_product_3d(by_N, X_x);
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const Tensor<1, 2> &gradient_k = rule.reference->gradients[q][k];
+        gradient.place[nodes[k]] += N_k[k] * by_y + gradient_k[0] * by_X_x + gradient_k[1] * by_X_y;
+        gradient.velocity[nodes[k]] += N_k[k] * by_w * N;
+      }
+    }
   }
 } // namespace caudal::ideal

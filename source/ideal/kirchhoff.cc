@@ -12,7 +12,7 @@ namespace caudal::ideal
     using Quaternion = boost::math::quaternion<double>;
 
     /** Lambda, Pi, quaternion, r/length. */
-    using OdeState = std::vector<double>;
+    using OdeState = std::array<double, 13>;
 
     Quaternion normalise(const std::array<double, 4> &q)
     {
@@ -20,15 +20,25 @@ namespace caudal::ideal
       return quaternion / boost::math::abs(quaternion);
     }
 
+    std::array<double, 4> get_components(const Quaternion &q)
+    {
+      return {{q.R_component_1(), q.R_component_2(), q.R_component_3(), q.R_component_4()}};
+    }
+
+    Quaternion make_imaginary(const Tensor<1, 3> &V)
+    {
+      return Quaternion(0., V[0], V[1], V[2]);
+    }
+
     Tensor<1, 3> rotate_by(const Quaternion &q, const Tensor<1, 3> &V)
     {
-      const Quaternion result = q * Quaternion(0., V[0], V[1], V[2]) * boost::math::conj(q);
-      return Point<3>(result.R_component_2(), result.R_component_3(), result.R_component_4());
+      const auto result = get_components(q * make_imaginary(V) * boost::math::conj(q));
+      return Tensor<1, 3>({result[1], result[2], result[3]});
     }
 
     OdeState pack(const BodyState &body, const double length)
     {
-      OdeState state(13);
+      OdeState state;
       for (unsigned int i = 0; i < 6; ++i)
         state[i] = body.impulse[i];
       for (unsigned int i = 0; i < 4; ++i)
@@ -43,17 +53,10 @@ namespace caudal::ideal
       BodyState body;
       for (unsigned int i = 0; i < 6; ++i)
         body.impulse[i] = state[i];
-      const Quaternion q = normalise({{state[6], state[7], state[8], state[9]}});
-      body.quaternion    = {
-             {q.R_component_1(), q.R_component_2(), q.R_component_3(), q.R_component_4()}};
+      body.quaternion = get_components(normalise({{state[6], state[7], state[8], state[9]}}));
       for (unsigned int i = 0; i < 3; ++i)
         body.position[i] = length * state[10 + i];
       return body;
-    }
-
-    Tensor<1, 3> get_part(const Screw &screw, const unsigned int first)
-    {
-      return Point<3>(screw[first], screw[first + 1], screw[first + 2]);
     }
 
     OdeState compute_derivative(const MotionProblem &problem, const OdeState &state,
@@ -63,34 +66,23 @@ namespace caudal::ideal
       const double    argument = problem.rate * time;
       const Screw     velocity =
           problem.model->compute_motion(argument).compute_velocity(body.impulse, problem.rate);
-      const Tensor<1, 3> omega = get_part(velocity, 0), v = get_part(velocity, 3);
-      const Screw        external =
+      const Screw external =
           problem.force ? problem.force({argument, problem.rate, velocity}).screw : Screw();
       BodyState rate;
       rate.impulse = compute_impulse_rate(body.impulse, velocity, external);
-      const Quaternion q(body.quaternion[0], body.quaternion[1], body.quaternion[2],
-                         body.quaternion[3]);
-      const Quaternion turn = 0.5 * q * Quaternion(0., omega[0], omega[1], omega[2]);
-      rate.quaternion       = {
-                {turn.R_component_1(), turn.R_component_2(), turn.R_component_3(), turn.R_component_4()}};
-      rate.position = body.rotate(v);
+      rate.quaternion =
+          get_components(0.5 * normalise(body.quaternion) * make_imaginary(get_angular(velocity)));
+      rate.position = body.rotate(get_linear(velocity));
       return pack(rate, problem.length);
     }
   } // namespace
 
   Screw compute_impulse_rate(const Screw &impulse, const Screw &velocity, const Screw &external)
   {
-    const Tensor<1, 3> Lambda = get_part(impulse, 0), Pi = get_part(impulse, 3),
-                       omega = get_part(velocity, 0), v = get_part(velocity, 3);
-    const Tensor<1, 3> torque = cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v);
-    const Tensor<1, 3> force  = cross_product_3d(Pi, omega);
-    Screw              rate   = external;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      rate[d] += torque[d];
-      rate[3 + d] += force[d];
-    }
-    return rate;
+    const Tensor<1, 3> Lambda = get_angular(impulse), Pi = get_linear(impulse),
+                       omega = get_angular(velocity), v = get_linear(velocity);
+    return external + make_screw(cross_product_3d(Lambda, omega) + cross_product_3d(Pi, v),
+                                 cross_product_3d(Pi, omega));
   }
 
   Tensor<1, 3> BodyState::rotate(const Tensor<1, 3> &V) const

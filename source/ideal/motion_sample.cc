@@ -18,15 +18,16 @@ namespace caudal::ideal
     const double      rate = problem.rate, argument = rate * time;
     const StrokeState state = model.compute_state(argument);
     MotionSample      sample;
-    sample.time     = time;
-    sample.body     = body;
-    sample.velocity = state.motion.compute_velocity(body.impulse, rate);
+    sample.time        = time;
+    sample.body        = body;
+    sample.coordinates = state.c;
+    sample.velocity    = state.motion.compute_velocity(body.impulse, rate);
 
-    const Screw       &q     = sample.velocity;
-    const Tensor<1, 3> omega = Point<3>(q[0], q[1], q[2]), v = Point<3>(q[3], q[4], q[5]);
-    sample.centre          = body.position + body.rotate(state.centre);
-    sample.centre_velocity = body.rotate(v + cross_product_3d(omega, state.centre) +
-                                         rate * model.compute_centre_rate(argument));
+    const Screw &q = sample.velocity;
+    sample.centre  = body.position + body.rotate(state.centre);
+    sample.centre_velocity =
+        body.rotate(get_linear(q) + cross_product_3d(get_angular(q), state.centre) +
+                    rate * model.compute_centre_rate(argument));
     sample.energy = 0.5 * (q * (state.motion.mass * q)) + rate * (q * state.motion.momentum) +
                     rate * rate * state.deformation_energy;
     if (has_torques)

@@ -5,53 +5,9 @@ namespace caudal::ideal
   namespace
   {
     // Where the parts of a state stand in a row of the table.
-    const unsigned int momentum_begin = 21;
-    const unsigned int energy_begin   = 27;
-    const unsigned int centre_begin   = 28;
-    const unsigned int momenta_begin  = 31;
-
-    std::vector<double> pack(const StrokeState &state)
-    {
-      std::vector<double> row;
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = i; j < 6; ++j)
-          row.push_back(state.motion.mass[i][j]);
-      for (unsigned int i = 0; i < 6; ++i)
-        row.push_back(state.motion.momentum[i]);
-      row.push_back(state.deformation_energy);
-      for (unsigned int d = 0; d < 3; ++d)
-        row.push_back(state.centre[d]);
-      for (const auto *const part : {&state.torques.momenta, &state.torques.energy_gradient})
-        row.insert(row.end(), part->begin(), part->end());
-      return row;
-    }
-
-    MotionCoefficients unpack_motion(const std::vector<double> &row)
-    {
-      MotionCoefficients motion;
-      unsigned int       k = 0;
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = i; j < 6; ++j)
-          motion.mass[i][j] = motion.mass[j][i] = row[k++];
-      for (unsigned int i = 0; i < 6; ++i)
-        motion.momentum[i] = row[momentum_begin + i];
-      return motion;
-    }
-
-    StrokeState unpack(const std::vector<double> &row, const std::vector<double> &rates,
-                       const unsigned int n_drives)
-    {
-      const auto  middle = row.begin() + momenta_begin + rates.size() * n_drives;
-      StrokeState state;
-      state.motion             = unpack_motion(row);
-      state.deformation_energy = row[energy_begin];
-      for (unsigned int d = 0; d < 3; ++d)
-        state.centre[d] = row[centre_begin + d];
-      state.rates = rates;
-      state.torques.momenta.assign(row.begin() + momenta_begin, middle);
-      state.torques.energy_gradient.assign(middle, row.end());
-      return state;
-    }
+    const unsigned int motion_end    = 27;
+    const unsigned int centre_begin  = 28;
+    const unsigned int momenta_begin = 31;
 
     /** What the mirror y -> -y does to rotations, translations and modes (c -> -c). */
     double get_mirror_sign(const unsigned int motion)
@@ -60,35 +16,54 @@ namespace caudal::ideal
       return motion < 6 ? signs[motion] : -1.;
     }
 
-    /** The same to the drives; the gait's rate stays. */
+    /** What it does to the drives; the gait's rate stays. */
     double get_drive_sign(const unsigned int drive)
     {
       return drive > 0 ? get_mirror_sign(drive - 1) : 1.;
     }
 
-    /** The state of the mirror image of the body. */
-    std::vector<double> mirror(StrokeState state, const unsigned int n_drives)
+    /** Calls @p visit with each number and the sign that it gets in the mirror y -> -y. */
+    template <class Motion, class Visit>
+    void visit_motion(Motion &motion, const Visit &visit)
     {
       for (unsigned int i = 0; i < 6; ++i)
-      {
-        state.motion.momentum[i] *= get_mirror_sign(i);
-        for (unsigned int j = 0; j < 6; ++j)
-          state.motion.mass[i][j] *= get_mirror_sign(i) * get_mirror_sign(j);
-      }
-      state.centre[1] *= -1.;
-      auto momentum = state.torques.momenta.begin(),
-           gradient = state.torques.energy_gradient.begin();
-      for (unsigned int mode = 0; mode < state.rates.size(); ++mode)
-        for (unsigned int a = 0; a < n_drives; ++a)
-        {
-          *momentum++ *= -get_drive_sign(a);
-          for (unsigned int b = a; b < n_drives; ++b)
-            *gradient++ *= -get_drive_sign(a) * get_drive_sign(b);
-        }
-      return pack(state);
+        for (unsigned int j = i; j < 6; ++j)
+          visit(motion.mass[i][j], get_mirror_sign(i) * get_mirror_sign(j));
+      for (unsigned int i = 0; i < 6; ++i)
+        visit(motion.momentum[i], get_mirror_sign(i));
     }
 
-    /** The rows that each rank has computed, on all ranks. */
+    /** Visits a whole state in the order of a row of the table, but for what the gait says. */
+    template <class State, class Visit>
+    void visit_state(State &state, const unsigned int n_drives, const Visit &visit)
+    {
+      visit_motion(state.motion, visit);
+      visit(state.deformation_energy, 1.);
+      for (unsigned int d = 0; d < 3; ++d)
+        visit(state.centre[d], d == 1 ? -1. : 1.);
+      auto momentum = state.torques.momenta.begin();
+      while (momentum != state.torques.momenta.end())
+        for (unsigned int a = 0; a < n_drives; ++a)
+          visit(*momentum++, -get_drive_sign(a));
+      auto gradient = state.torques.energy_gradient.begin();
+      while (gradient != state.torques.energy_gradient.end())
+        for (unsigned int a = 0; a < n_drives; ++a)
+          for (unsigned int b = a; b < n_drives; ++b)
+            visit(*gradient++, -get_drive_sign(a) * get_drive_sign(b));
+    }
+
+    MotionCoefficients unpack_motion(const std::vector<double> &row)
+    {
+      MotionCoefficients motion;
+      auto               number = row.begin();
+      visit_motion(motion, [&](double &value, double) { value = *number++; });
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          motion.mass[i][j] = motion.mass[j][i];
+      return motion;
+    }
+
+    /** Puts the rows that each rank has computed on all ranks. */
     void exchange(std::vector<std::vector<double>> &rows, const unsigned int n_columns,
                   const MPI_Comm communicator)
     {
@@ -105,73 +80,91 @@ namespace caudal::ideal
       : gait(shape.gait)
       , n_modes(shape.deformation.n_modes())
       , n_drives(shape.n_drives())
+      , n_phases(n_modes == 0 ? 1 : n_phases)
+      , is_mirrored(n_modes > 0 && n_phases % 2 == 0 && has_glide_symmetry(gait) &&
+                    shape.deformation.is_symmetric())
   {
-    const bool is_rigid = n_modes == 0;
-    const bool mirrors  = !is_rigid && n_phases % 2 == 0 && has_glide_symmetry(gait) &&
-                         shape.deformation.is_symmetric();
-    const unsigned int M         = is_rigid ? 1 : n_phases;
-    const unsigned int n_motions = 6 + n_modes;
-    n_computed                   = mirrors ? M / 2 : M;
-
-    const unsigned int               rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int               n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    std::vector<std::vector<double>> rows(n_computed), flows(n_computed);
-    for (unsigned int k = rank; k < n_computed; k += n_ranks)
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    Rows               rows(get_n_computed()), flows(get_n_computed());
+    for (unsigned int k = rank; k < get_n_computed(); k += n_ranks)
     {
       FullMatrix<double> flow;
-      rows[k] = pack(shape.compute_state(2. * numbers::PI * k / M, &flow));
+      const StrokeState  state = shape.compute_state(2. * numbers::PI * k / this->n_phases, &flow);
+      visit_state(state, n_drives, [&](const double value, double) { rows[k].push_back(value); });
       flows[k].assign(&flow(0, 0), &flow(0, 0) + flow.m() * flow.n());
     }
     exchange(rows, momenta_begin + n_modes * (n_drives + n_drives * (n_drives + 1) / 2),
              communicator);
-    exchange(flows, shape.surface.n_nodes() * n_motions, communicator);
+    exchange(flows, shape.surface.n_nodes() * (6 + n_modes), communicator);
+    if (is_mirrored)
+      add_second_half(shape, rows, flows);
+    states     = std::make_unique<TrigonometricTable>(std::move(rows));
+    potentials = std::make_unique<TrigonometricTable>(std::move(flows));
+  }
 
-    if (mirrors)
+  void PhaseTable::add_second_half(const SwimmingShape &shape, Rows &rows, Rows &flows) const
+  {
+    const unsigned int              n_motions = 6 + n_modes;
+    const std::vector<unsigned int> images =
+        find_mirror_images(shape.surface.get_reference_points(), 1);
+    for (unsigned int k = 0; k < get_n_computed(); ++k)
     {
-      const std::vector<unsigned int> nodes =
-          find_mirror_images(shape.surface.get_reference_points(), 1);
-      for (unsigned int k = 0; k < M / 2; ++k)
-      {
-        rows.push_back(mirror(unpack(rows[k], std::vector<double>(n_modes), n_drives), n_drives));
-        flows.emplace_back();
-        for (const unsigned int node : nodes)
-          for (unsigned int l = 0; l < n_motions; ++l)
-            flows.back().push_back(get_mirror_sign(l) * flows[k][node * n_motions + l]);
-      }
+      StrokeState signs = make_state(rows[k]);
+      rows.push_back(rows[k]);
+      auto number = rows.back().begin();
+      visit_state(signs, n_drives, [&](double, const double sign) { *number++ *= sign; });
+      flows.emplace_back();
+      for (const unsigned int node : images)
+        for (unsigned int l = 0; l < n_motions; ++l)
+          flows.back().push_back(get_mirror_sign(l) * flows[k][node * n_motions + l]);
     }
-    states     = TrigonometricTable(rows);
-    potentials = TrigonometricTable(flows);
+  }
+
+  /** The state whose numbers are in the row, without what the gait says. */
+  StrokeState PhaseTable::make_state(const std::vector<double> &row) const
+  {
+    StrokeState state;
+    state.torques.momenta.resize(n_modes * n_drives);
+    state.torques.energy_gradient.resize(row.size() - momenta_begin - n_modes * n_drives);
+    auto number = row.begin();
+    visit_state(state, n_drives, [&](double &value, double) { value = *number++; });
+    state.motion = unpack_motion(row); // and the other half of the mass
+    return state;
   }
 
   MotionCoefficients PhaseTable::compute_motion(const double psi)
   {
-    return unpack_motion(states.values(psi, 0, energy_begin));
+    return unpack_motion(states->values(psi, 0, motion_end));
   }
 
   StrokeState PhaseTable::compute_state(const double psi)
   {
-    return unpack(states.values(psi, 0, states.n_functions()), gait.evaluate(psi).rates, n_drives);
+    StrokeState     state = make_state(states->values(psi, 0, states->n_functions()));
+    const GaitState at    = gait.evaluate(psi);
+    state.c               = at.c;
+    state.rates           = at.rates;
+    return state;
   }
 
   std::vector<double> PhaseTable::compute_torques(const double psi, const Drive &drive)
   {
     const unsigned int middle = momenta_begin + n_modes * n_drives;
-    return compute_lagrange_torques({states.values(psi, momenta_begin, middle),
-                                     states.values(psi, middle, states.n_functions())},
-                                    states.derivatives(psi, momenta_begin, middle), n_modes, drive);
+    return compute_lagrange_torques({states->values(psi, momenta_begin, middle),
+                                     states->values(psi, middle, states->n_functions())},
+                                    states->derivatives(psi, momenta_begin, middle), n_modes,
+                                    drive);
   }
 
   Tensor<1, 3> PhaseTable::compute_centre_rate(const double psi)
   {
-    const std::vector<double> rate = states.derivatives(psi, centre_begin, momenta_begin);
-    return Point<3>(rate[0], rate[1], rate[2]);
+    const std::vector<double> rate = states->derivatives(psi, centre_begin, momenta_begin);
+    return Tensor<1, 3>({rate[0], rate[1], rate[2]});
   }
 
   FullMatrix<double> PhaseTable::compute_potentials(const double psi)
   {
-    const std::vector<double> values = potentials.values(psi, 0, potentials.n_functions());
-    FullMatrix<double>        result(values.size() / (6 + n_modes), 6 + n_modes);
-    std::copy(values.begin(), values.end(), &result(0, 0));
-    return result;
+    const std::vector<double> values = potentials->values(psi, 0, potentials->n_functions());
+    return FullMatrix<double>(values.size() / (6 + n_modes), 6 + n_modes, values.data());
   }
 } // namespace caudal::ideal

@@ -1,164 +1,109 @@
 #include <caudal/ideal/placed_surface.h>
 
+#include <algorithm>
+
 namespace caudal::ideal
 {
   namespace
   {
-    constexpr unsigned int n = Surface::n_nodes_per_cell;
-
     // Each Gauss rule serves points that are farther from the centre of the part than this, in
     // its radii. With m points in each direction the error falls as (d + sqrt(d^2 - 1))^(-2m).
-    const double nearest[ReferenceRules::n_gauss_rules] = {2.5, 1.85, 1.5, 1.35};
+    const double nearest[ReferenceRules::n_gauss] = {2.5, 1.85, 1.5, 1.35};
 
     // What was far away at rest counts as near if it comes nearer than this.
     const double too_near = 2.;
 
-    double square(const double value)
-    {
-      return value * value;
-    }
-
     // No cell is halved more often than this in either direction.
     const unsigned int finest_level = 6;
 
-    /** The first rule that serves this distance, or the number of rules. */
-    unsigned int find_rule(const double distance_square, const double radius)
+    bool is_within(const Point<3> &x, const Point<3> &centre, const double distance)
     {
-      unsigned int rule = 0;
-      while (rule < ReferenceRules::n_gauss_rules &&
-             distance_square < square(nearest[rule] * radius))
-        ++rule;
-      return rule;
+      return x.distance_square(centre) < distance * distance;
     }
   } // namespace
 
   PlacedSurface::PlacedSurface(const Surface &surface, const SurfaceMotion &motion,
                                ReferenceRules &rules)
       : surface(surface)
-      , motion(motion)
+      , places(motion.positions)
+      , rest_places(motion.rest.empty() ? motion.positions : motion.rest)
       , rules(rules)
-      , rest(motion.rest.empty() ? motion.positions : motion.rest)
-      , positions(extract_positions(motion.positions))
-      , rest_positions(extract_positions(rest))
+      , cells(surface.n_cells())
   {
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      regular.push_back({CellRule(rules.get_gauss(0, CellPart()), positions[cell]), {}});
-      cells.push_back(make_part(rest_positions[cell], CellPart()));
-      now.push_back(make_part(positions[cell], CellPart()));
+      cells[cell].now     = make_geometry(cell, places);
+      cells[cell].at_rest = make_geometry(cell, rest_places);
+      use_rule(cells[cell], 0, CellPart());
     }
-    compute_fluxes();
-  }
-
-  PlacedSurface::Positions
-  PlacedSurface::extract_positions(const std::vector<Point<3>> &nodes) const
-  {
-    Positions result(surface.n_cells());
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-      for (const auto node : surface.get_nodes(cell))
-        result[cell].push_back(nodes[node]);
-    return result;
-  }
-
-  void PlacedSurface::compute_fluxes()
-  {
-    const ReferenceRule &rule     = regular[0].rule.get_reference();
-    const unsigned int   n_points = rule.n_points;
-    fluxes.reinit(surface.n_cells() * n_points, n_motions());
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
-      for (unsigned int q = 0; q < n_points; ++q)
-      {
-        double *const      row    = &fluxes(cell * n_points + q, 0);
-        const Tensor<1, 3> N      = regular[cell].rule.get_area(q);
-        const Tensor<1, 3> moment = cross_product_3d(regular[cell].rule.get_point(q), N);
-        const auto        &nodes  = surface.get_nodes(cell);
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          row[d]     = moment[d];
-          row[3 + d] = N[d];
-        }
-        for (unsigned int mode = 0; mode < motion.modes.size(); ++mode)
-          for (unsigned int k = 0; k < n; ++k)
-            row[6 + mode] += rule.values[q * rule.stride + k] * (motion.modes[mode][nodes[k]] * N);
-      }
-  }
-
-  std::unique_ptr<PlacedSurface::Part> PlacedSurface::make_part(const std::vector<Point<3>> &nodes,
-                                                                const CellPart              &place)
-  {
-    const CellRule outline(rules.get_outline(place), nodes);
-    auto           part = std::make_unique<Part>();
-    part->place         = place;
-    part->centre        = outline.get_point(4);
-    for (unsigned int q = 0; q < outline.get_reference().n_points; ++q)
-      part->radius = std::max(part->radius, part->centre.distance(outline.get_point(q)));
-    const double width  = outline.get_point(3).distance(outline.get_point(5));
-    const double height = outline.get_point(1).distance(outline.get_point(7));
-    part->longer        = width > height ? 0 : 1;
-    return part;
-  }
-
-  bool PlacedSurface::is_far(const unsigned int cell, const unsigned int node) const
-  {
-    const Part &at_rest = *cells[cell], &at_present = *now[cell];
-    return rest[node].distance_square(at_rest.centre) >= square(nearest[0] * at_rest.radius) &&
-           motion.positions[node].distance_square(at_present.centre) >=
-               square(too_near * at_present.radius);
-  }
-
-  const std::vector<PlacedRule *> &PlacedSurface::find_near(const unsigned int cell,
-                                                            const unsigned int node)
-  {
     found.clear();
-    if (rest[node].distance_square(cells[cell]->centre) < square(nearest[0] * cells[cell]->radius))
-      find_rules(cell, *cells[cell], rest_positions[cell], rest[node]);
+  }
+
+  PlacedSurface::Geometry PlacedSurface::make_geometry(const unsigned int           cell,
+                                                       const std::vector<Point<3>> &nodes) const
+  {
+    Geometry geometry;
+    for (unsigned int k = 0; k < geometry.nodes.size(); ++k)
+      geometry.nodes[k] = nodes[surface.get_nodes(cell)[k]];
+    geometry.ball = make_ball(geometry.nodes, CellPart());
+    return geometry;
+  }
+
+  PlacedSurface::Ball PlacedSurface::make_ball(const CellArray<Point<3>> &nodes,
+                                               const CellPart            &part) const
+  {
+    const auto  points = PlacedRule(rules.get(ReferenceRules::outline, part), nodes).points;
+    const auto &centre = points[4];
+    double      radius = 0.;
+    for (const Point<3> &point : points)
+      radius = std::max(radius, centre.distance(point));
+    const double width = points[3].distance(points[5]), height = points[1].distance(points[7]);
+    return {centre, radius, width > height ? 0u : 1u};
+  }
+
+  const std::vector<unsigned int> &PlacedSurface::find_rules(const unsigned int cell,
+                                                             const unsigned int node)
+  {
+    Cell       &at    = cells[cell];
+    const auto &nodes = surface.get_nodes(cell);
+    const auto  own   = std::find(nodes.begin(), nodes.end(), node);
+    found.clear();
+    if (own != nodes.end())
+      use_rule(at, ReferenceRules::get_singular_kind(own - nodes.begin()), CellPart());
+    else if (is_within(rest_places[node], at.at_rest.ball.centre,
+                       nearest[0] * at.at_rest.ball.radius))
+      find_rules(at, at.at_rest, CellPart(), rest_places[node]);
+    else if (is_within(places[node], at.now.ball.centre, too_near * at.now.ball.radius))
+      find_rules(at, at.now, CellPart(), places[node]);
     else
-      find_rules(cell, *now[cell], positions[cell], motion.positions[node]);
+      found.push_back(regular);
     return found;
   }
 
-  void PlacedSurface::find_rules(const unsigned int cell, Part &part,
-                                 const std::vector<Point<3>> &decisive, const Point<3> &x)
+  /** The rules on a part as seen from @p x; both are in the position that decides. */
+  void PlacedSurface::find_rules(Cell &cell, Geometry &decisive, const CellPart &part,
+                                 const Point<3> &x)
   {
-    unsigned int rule = find_rule(x.distance_square(part.centre), part.radius);
-    if (rule == ReferenceRules::n_gauss_rules && part.place.levels[part.longer] < finest_level)
-    {
+    auto known = decisive.balls.find(part);
+    if (known == decisive.balls.end())
+      known = decisive.balls.insert({part, make_ball(decisive.nodes, part)}).first;
+    const Ball  &ball = known->second;
+    unsigned int kind = 0;
+    while (kind < ReferenceRules::n_gauss && is_within(x, ball.centre, nearest[kind] * ball.radius))
+      ++kind;
+    if (kind == ReferenceRules::n_gauss && part.levels[ball.longer_side] < finest_level)
       for (unsigned int half = 0; half < 2; ++half)
-      {
-        if (!part.halves[half])
-          part.halves[half] = make_part(decisive, part.place.get_half(part.longer, half));
-        find_rules(cell, *part.halves[half], decisive, x);
-      }
-      return;
-    }
-    rule = std::min(rule, ReferenceRules::n_gauss_rules - 1);
-    if (!part.rules[rule])
-      part.rules[rule] = std::make_unique<PlacedRule>(
-          PlacedRule{CellRule(rules.get_gauss(rule, part.place), positions[cell]), {}});
-    found.push_back(part.rules[rule].get());
+        find_rules(cell, decisive, part.get_half(ball.longer_side, half), x);
+    else
+      use_rule(cell, std::min(kind, ReferenceRules::n_gauss - 1), part);
   }
 
-  PlacedRule &PlacedSurface::get_singular(const unsigned int cell, const unsigned int node)
+  void PlacedSurface::use_rule(Cell &cell, const unsigned int kind, const CellPart &part)
   {
-    singular.rule.place(rules.get_singular(node), positions[cell]);
-    return singular;
-  }
-
-  void PlacedSurface::visit_rules(const unsigned int                       cell,
-                                  const std::function<void(PlacedRule &)> &visit)
-  {
-    visit(regular[cell]);
-    visit_part(*cells[cell], visit);
-    visit_part(*now[cell], visit);
-  }
-
-  void PlacedSurface::visit_part(Part &part, const std::function<void(PlacedRule &)> &visit)
-  {
-    for (const auto &rule : part.rules)
-      if (rule)
-        visit(*rule);
-    for (const auto &half : part.halves)
-      if (half)
-        visit_part(*half, visit);
+    const unsigned int n_rules = cell.rules.size();
+    const auto [entry, is_new] = cell.numbers.insert({{kind, part}, n_rules});
+    if (is_new)
+      cell.rules.emplace_back(rules.get(kind, part), cell.now.nodes);
+    found.push_back(entry->second);
   }
 } // namespace caudal::ideal

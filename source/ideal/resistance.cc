@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/ideal/resistance.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -8,7 +9,7 @@ namespace caudal::ideal
 {
   namespace
   {
-    /** A point of the surface: place, element of area, velocity and velocities of the modes. */
+    /** An element of the surface: place, area N, velocity and velocities of the modes. */
     struct Element
     {
       Tensor<1, 3>              X, N, u;
@@ -18,30 +19,26 @@ namespace caudal::ideal
     std::vector<Element> compute_elements(const SwimmingShape &shape, const ReferenceRule &rule,
                                           const MotionInstant &instant)
     {
-      const GaitState     gait   = shape.gait.evaluate(instant.argument);
-      const SurfaceMotion motion = shape.deformation.place(gait.c);
-      const Screw        &V      = instant.velocity;
-      const Tensor<1, 3>  omega = Point<3>(V[0], V[1], V[2]), v = Point<3>(V[3], V[4], V[5]);
-
+      const GaitState      gait   = shape.gait.evaluate(instant.argument);
+      const SurfaceMotion  motion = shape.deformation.place(gait.c);
       std::vector<Element> elements;
       for (unsigned int cell = 0; cell < shape.surface.n_cells(); ++cell)
       {
-        const auto           &nodes = shape.surface.get_nodes(cell);
-        std::vector<Point<3>> positions;
-        for (const auto node : nodes)
-          positions.push_back(motion.positions[node]);
-        const CellRule at(rule, positions);
-        for (unsigned int q = 0; q < rule.n_points; ++q)
+        const auto         &nodes = shape.surface.get_nodes(cell);
+        CellArray<Point<3>> places;
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          places[k] = motion.positions[nodes[k]];
+        const PlacedRule at(rule, places);
+        for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          Element element;
-          element.X = at.get_point(q);
-          element.N = at.get_area(q);
-          element.u = v + cross_product_3d(omega, element.X);
+          Element element{Tensor<1, 3>(at.points[q]), at.areas[q], {}, {}};
+          element.u = get_linear(instant.velocity) +
+                      cross_product_3d(get_angular(instant.velocity), element.X);
           element.modes.resize(gait.c.size());
           for (unsigned int i = 0; i < gait.c.size(); ++i)
           {
             for (unsigned int k = 0; k < nodes.size(); ++k)
-              element.modes[i] += rule.values[q * rule.stride + k] * motion.modes[i][nodes[k]];
+              element.modes[i] += rule.values[q][k] * motion.modes[i][nodes[k]];
             element.u += instant.rate * gait.rates[i] * element.modes[i];
           }
           elements.push_back(element);
@@ -50,6 +47,7 @@ namespace caudal::ideal
       return elements;
     }
 
+    /** C_f, given or by Blasius's law. */
     double compute_friction(const ResistanceParameters &parameters, const double length,
                             const std::vector<Element> &elements)
     {
@@ -82,16 +80,10 @@ namespace caudal::ideal
 
   void ResistanceParameters::check() const
   {
-    const auto check_range = [](const std::string &entry, const double value, const bool ok) {
-      AssertThrow(ok && std::isfinite(value), ExcMessage("Resistance/" + entry + ": the value is " +
-                                                         Patterns::Tools::to_string(value) +
-                                                         ". Give a number that is not negative."));
-    };
-    check_range("Friction coefficient", friction, friction >= 0.);
-    check_range("Drag coefficient", drag, drag >= 0.);
-    AssertThrow(std::isfinite(viscosity) && viscosity > 0.,
-                ExcMessage("Resistance/Kinematic viscosity: the value is " +
-                           Patterns::Tools::to_string(viscosity) + ". Give a positive one."));
+    const std::string remedy = "Give a number that is not negative.";
+    check_not_negative("Resistance/Friction coefficient", friction, remedy);
+    check_not_negative("Resistance/Drag coefficient", drag, remedy);
+    check_positive("Resistance/Kinematic viscosity", viscosity, "Give a positive one.");
   }
 
   ExternalForce create_resistance(const ResistanceParameters &parameters,
@@ -121,11 +113,7 @@ namespace caudal::ideal
         for (std::size_t i = 0; i < element.modes.size(); ++i)
           load.on_modes[i] += df * element.modes[i];
       }
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        load.screw[d]     = torque[d];
-        load.screw[3 + d] = force[d];
-      }
+      load.screw = make_screw(torque, force);
       return load;
     };
   }

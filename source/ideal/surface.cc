@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/ideal/surface.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -35,11 +36,11 @@ namespace caudal::ideal
       {
         const auto opposite = edges.find({edge.second, edge.first});
         AssertThrow(count == 1,
-                    ExcMessage("Surface/File: the mesh <" + file_name +
+                    ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is inverted in a part: two neighbouring quadrilaterals have "
                                "opposite normals. Orient all of them outwards."));
         AssertThrow(opposite != edges.end(),
-                    ExcMessage("Surface/File: the mesh <" + file_name +
+                    ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                "> is open: an edge belongs to one quadrilateral only. Close the "
                                "surface and merge nodes that coincide."));
       }
@@ -70,32 +71,23 @@ namespace caudal::ideal
                       "two ends of the body [1]. There are 4 along across + 2 across^2 cells and "
                       "16 along across + 8 across^2 + 2 nodes, each with an unknown (`panels`).",
                       Patterns::Integer(1));
-    prm.add_parameter("File", file,
-                      "A closed mesh of quadrilaterals, outward oriented, as the surface of the "
-                      "straight body: nose at the smallest x, x towards the tail, y lateral, z "
-                      "dorsal [m]; .msh, .ucd or .vtk. Its flat cells are not curved. Needs "
-                      "Shape/Type = file.");
     prm.leave_subsection();
   }
 
   void SurfaceParameters::check() const
   {
-    const auto check_cells = [](const std::string &entry, const unsigned int value) {
-      AssertThrow(value <= 64,
-                  ExcMessage("Surface/" + entry + ": the value is " + std::to_string(value) +
-                             ". Give at most 64: the matrices are dense."));
-    };
-    check_cells("Cells along", n_along);
-    check_cells("Cells across", n_across);
+    const std::string remedy = "Give at most 64: the matrices are dense.";
+    check_value(n_along <= 64, "Surface/Cells along", n_along, remedy);
+    check_value(n_across <= 64, "Surface/Cells across", n_across, remedy);
   }
 
-  Surface::Surface(const SurfaceParameters &parameters)
-      : from_file(!parameters.file.empty())
+  Surface::Surface(const SurfaceParameters &parameters, const std::string &file)
+      : from_file(!file.empty())
       , fe(degree)
       , dof_handler(triangulation)
   {
     if (from_file)
-      read(parameters.file);
+      read(file);
     else
       make_cubed_sphere(parameters.n_along, parameters.n_across);
     number_nodes();
@@ -113,7 +105,7 @@ namespace caudal::ideal
   void Surface::read(const std::string &file_name)
   {
     std::ifstream stream(file_name);
-    AssertThrow(stream, ExcMessage("Surface/File: the mesh <" + file_name +
+    AssertThrow(stream, ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                    "> can't be read. Give an existing file."));
     try
     {
@@ -122,13 +114,13 @@ namespace caudal::ideal
     }
     catch (const ExceptionBase &exception)
     {
-      AssertThrow(false, ExcMessage("Surface/File: the mesh <" + file_name +
+      AssertThrow(false, ExcMessage("Shape/File/Name: the mesh <" + file_name +
                                     "> can't be understood. Give a mesh of quadrilaterals in "
                                     "three dimensions (.msh, .ucd, .vtk)."));
     }
     check_closed(triangulation, file_name);
     AssertThrow(compute_volume(triangulation) > 0.,
-                ExcMessage("Surface/File: the mesh <" + file_name +
+                ExcMessage("Shape/File/Name: the mesh <" + file_name +
                            "> is inverted: its normals point into the body. Reverse the order of "
                            "the nodes of each cell."));
   }

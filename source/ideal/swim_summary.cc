@@ -1,3 +1,4 @@
+#include <caudal/base/json.h>
 #include <caudal/ideal/swim_summary.h>
 
 #include <algorithm>
@@ -7,6 +8,20 @@
 namespace caudal
 {
   using namespace dealii;
+
+  SwimSummary::SwimSummary(const SwimState &swim)
+      : duration(swim.last.time)
+      , distance(swim.get_distance())
+      , n_strokes(swim.stroke_ends.empty() ? 0 : swim.stroke_ends.size() - 1)
+      , energy(swim.energy)
+  {
+    for (unsigned int k = 0; k < n_strokes; ++k)
+    {
+      const StrokeEnd &begin = swim.stroke_ends[k], &end = swim.stroke_ends[k + 1];
+      stroke += (end.centre - begin.centre).norm() / n_strokes;
+      turn += std::remainder(end.heading - begin.heading, 2. * numbers::PI) / n_strokes;
+    }
+  }
 
   double SwimSummary::get_speed() const
   {
@@ -28,9 +43,9 @@ namespace caudal
     return "The fluid is ideal: no viscous drag, no boundary layer, no wake, and so no\n"
            "thrust from shed vortices. The body moves by the exchange of momentum with the\n"
            "fluid that it displaces; work done in a part of the stroke is returned in\n"
-           "another, and speed is proportional to frequency. The figures of the paper are\n"
-           "not reproduced exactly, as it leaves units of the shape, phase lag and amplitude\n"
-           "open: compare trends.\n";
+           "another, and speed is proportional to frequency. The figures of Yao et al. are not\n"
+           "reproduced exactly, as their paper leaves units of the shape, phase lag and\n"
+           "amplitude open: compare trends.\n";
   }
 
   namespace
@@ -76,93 +91,79 @@ namespace caudal
 
     /** Calls @p print for each quantity, with the separator between them. */
     template <class Print>
-    void print_joined(std::ostream &out, const SwimSummary &summary, const std::string &separator,
-                      const Print &print)
+    void print_joined(std::ostream &out, const SwimSummary &summary, const Print &print)
     {
-      bool is_first = true;
+      const char *separator = "";
       for (const Quantity &quantity : get_quantities(summary))
       {
-        if (!is_first)
-          out << separator;
+        out << separator;
         print(quantity);
-        is_first = false;
+        separator = ",";
       }
-    }
-
-    /** Of the direction R e_1 in the plane [rad]. */
-    double get_heading(const ideal::BodyState &body)
-    {
-      const Tensor<1, 3> direction = body.rotate(Point<3>(1., 0., 0.));
-      return std::atan2(direction[1], direction[0]);
     }
   } // namespace
 
-  void print_summaries(std::ostream &out, const std::vector<SwimSummary> &summaries)
+  std::string print_text(const std::vector<SwimSummary> &summaries)
   {
-    const auto         flags = out.flags();
-    std::ostringstream names;
-    for (std::size_t k = 0; k < get_quantities(summaries[0]).size(); ++k)
+    std::ostringstream                 out;
+    std::vector<std::vector<Quantity>> columns;
+    for (const SwimSummary &summary : summaries)
+      columns.push_back(get_quantities(summary));
+    for (std::size_t k = 0; k < columns[0].size(); ++k)
     {
-      const Quantity quantity = get_quantities(summaries[0])[k];
+      const Quantity &quantity = columns[0][k];
       out << std::left << std::setw(46) << quantity.name + " [" + quantity.unit + "]" << std::right;
-      for (const SwimSummary &summary : summaries)
-        out << std::setw(14) << std::setprecision(6) << get_quantities(summary)[k].value;
+      for (const auto &column : columns)
+        out << std::setw(14) << std::setprecision(6) << column[k].value;
       out << '\n';
     }
     out << '\n' << get_ideal_fluid_statement();
-    out.flags(flags);
+    return out.str();
   }
 
-  void print_csv(std::ostream &out, const std::vector<SwimSummary> &summaries)
+  std::string print_csv(const std::vector<SwimSummary> &summaries)
   {
+    std::ostringstream out;
     out << std::setprecision(10);
-    print_joined(out, summaries[0], ",",
+    print_joined(out, summaries[0],
                  [&](const Quantity &q) { out << q.name << " [" << q.unit << "]"; });
     out << '\n';
     for (const SwimSummary &summary : summaries)
     {
-      print_joined(out, summary, ",", [&](const Quantity &q) { out << q.value; });
+      print_joined(out, summary, [&](const Quantity &q) { out << q.value; });
       out << '\n';
     }
+    return out.str();
   }
 
-  void print_json(std::ostream &out, const std::vector<SwimSummary> &summaries)
+  std::string print_json(const std::vector<SwimSummary> &summaries)
   {
+    const auto measure = [](const double value, const std::string &unit) {
+      return Json::object().add("value", value).add("unit", unit);
+    };
     std::string statement = get_ideal_fluid_statement();
     statement.pop_back();
     std::replace(statement.begin(), statement.end(), '\n', ' ');
-    out << std::setprecision(10) << "{\n  \"note\": \"" << statement
-        << "\",\n  \"constants\": {\n    \"length\": {\"value\": " << summaries[0].length
-        << ", \"unit\": \"m\"},\n    \"mass\": {\"value\": " << summaries[0].mass
-        << ", \"unit\": \"kg\"}\n  },\n  \"quantities\": {\n    ";
-    print_joined(out, summaries[0], ",\n    ", [&](const Quantity &q) {
-      out << '"' << q.name << "\": {\"unit\": \"" << q.unit << "\"}";
-    });
-    out << "\n  },\n  \"swims\": [";
-    const char *separator = "\n    {";
+    Json quantities = Json::object(), swims = Json::array();
+    for (const Quantity &quantity : get_quantities(summaries[0]))
+      quantities.add(quantity.name, Json::object().add("unit", quantity.unit));
     for (const SwimSummary &summary : summaries)
     {
-      out << separator;
-      print_joined(out, summary, ", ",
-                   [&](const Quantity &q) { out << '"' << q.name << "\": " << q.value; });
-      separator = "},\n    {";
+      Json swim = Json::object();
+      for (const Quantity &quantity : get_quantities(summary))
+        swim.add(quantity.name, quantity.value);
+      swims.append(swim);
     }
-    out << "}\n  ]\n}\n";
-  }
-
-  void StrokeCounter::add(const ideal::MotionSample &sample)
-  {
-    ends.push_back({sample.centre, get_heading(sample.body)});
-  }
-
-  void StrokeCounter::fill(SwimSummary &summary) const
-  {
-    summary.n_strokes = ends.empty() ? 0 : ends.size() - 1;
-    for (std::size_t k = 1; k < ends.size(); ++k)
-    {
-      summary.stroke += (ends[k].centre - ends[k - 1].centre).norm() / summary.n_strokes;
-      const double turn = ends[k].heading - ends[k - 1].heading;
-      summary.turn += std::remainder(turn, 2. * numbers::PI) / summary.n_strokes;
-    }
+    std::ostringstream out;
+    Json::object()
+        .add("note", statement)
+        .add("constants", Json::object()
+                              .add("length", measure(summaries[0].length, "m"))
+                              .add("mass", measure(summaries[0].mass, "kg")))
+        .add("quantities", quantities)
+        .add("swims", swims)
+        .write(out);
+    out << '\n';
+    return out.str();
   }
 } // namespace caudal

@@ -2,70 +2,67 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <cmath>
+#include <complex>
 
 namespace caudal::ideal
 {
   namespace
   {
-    /** Calls @p add with j, cos(j psi), sin(j psi) for j < n: by rotations, their errors add up to
-     * j rounding errors. */
-    template <class Function>
-    void visit_harmonics(const double psi, const unsigned int n, const Function &add)
+    struct Weight
     {
-      const double cosine = std::cos(psi), sine = std::sin(psi);
-      double       c = 1., s = 0.;
-      for (unsigned int j = 0; j < n; ++j)
+      double value;
+      double derivative;
+    };
+
+    /**
+     * The polynomial of M samples of which only that at the phase 0 is not zero, but one: at
+     * @p psi, with its derivative. Of an even number of samples the highest sine, which vanishes
+     * at all of them, is left out.
+     */
+    Weight compute_weight(const double psi, const unsigned int M)
+    {
+      const std::complex<double> turn     = std::polar(1., psi);
+      std::complex<double>       harmonic = 1.;
+      Weight                     weight{1. / M, 0.};
+      for (unsigned int j = 1; 2 * j <= M; ++j)
       {
-        add(j, c, s);
-        const double next = c * cosine - s * sine;
-        s                 = s * cosine + c * sine;
-        c                 = next;
+        harmonic *= turn;
+        const double amplitude = (2 * j == M ? 1. : 2.) / M;
+        weight.value += amplitude * harmonic.real();
+        weight.derivative -= amplitude * j * harmonic.imag();
       }
+      return weight;
+    }
+
+    std::vector<double> combine(const std::vector<std::vector<double>> &samples,
+                                double Weight::*which, const double psi, const unsigned int first,
+                                const unsigned int last)
+    {
+      std::vector<double> result(last - first, 0.);
+      for (unsigned int k = 0; k < samples.size(); ++k)
+      {
+        const double phase  = 2. * dealii::numbers::PI * k / samples.size();
+        const double weight = compute_weight(psi - phase, samples.size()).*which;
+        for (unsigned int i = first; i < last; ++i)
+          result[i - first] += weight * samples[k][i];
+      }
+      return result;
     }
   } // namespace
 
-  TrigonometricTable::TrigonometricTable(const std::vector<std::vector<double>> &samples)
-  {
-    const unsigned int M = samples.size(), n = samples[0].size();
-    for (unsigned int j = 0; j <= M / 2; ++j)
-    {
-      cosines.emplace_back(n, 0.);
-      sines.emplace_back(n, 0.);
-      // The mean and, for even M, the highest cosine appear once among 0..M-1, the others twice.
-      const double factor = (j == 0 || 2 * j == M ? 1. : 2.) / M;
-      for (unsigned int k = 0; k < M; ++k)
-      {
-        const double angle  = 2. * dealii::numbers::PI * ((j * k) % M) / M;
-        const double cosine = factor * std::cos(angle), sine = factor * std::sin(angle);
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          cosines[j][i] += cosine * samples[k][i];
-          sines[j][i] += 2 * j == M ? 0. : sine * samples[k][i];
-        }
-      }
-    }
-  }
+  TrigonometricTable::TrigonometricTable(std::vector<std::vector<double>> samples)
+      : samples(std::move(samples))
+  {}
 
   std::vector<double> TrigonometricTable::values(const double psi, const unsigned int first,
                                                  const unsigned int last) const
   {
-    std::vector<double> result(last - first, 0.);
-    visit_harmonics(psi, cosines.size(), [&](unsigned int j, double cosine, double sine) {
-      for (unsigned int i = first; i < last; ++i)
-        result[i - first] += cosine * cosines[j][i] + sine * sines[j][i];
-    });
-    return result;
+    return combine(samples, &Weight::value, psi, first, last);
   }
 
   std::vector<double> TrigonometricTable::derivatives(const double psi, const unsigned int first,
                                                       const unsigned int last) const
   {
-    std::vector<double> result(last - first, 0.);
-    visit_harmonics(psi, cosines.size(), [&](unsigned int j, double cosine, double sine) {
-      for (unsigned int i = first; i < last; ++i)
-        result[i - first] += j * (cosine * sines[j][i] - sine * cosines[j][i]);
-    });
-    return result;
+    return combine(samples, &Weight::derivative, psi, first, last);
   }
 } // namespace caudal::ideal

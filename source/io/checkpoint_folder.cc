@@ -6,10 +6,9 @@
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
-#include <set>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -36,11 +35,10 @@ namespace caudal
     /** The step of a slot's folder; a name that is none gives -1. */
     long get_step(const fs::path &path)
     {
-      const std::string name = path.filename().string();
-      if (name.rfind(prefix, 0) != 0 || name.size() != prefix.size() + 8 ||
-          name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)
-        return -1;
-      return std::stol(name.substr(prefix.size()));
+      static const std::regex pattern(prefix + "(\\d{8})");
+      const std::string       name = path.filename().string();
+      std::smatch             match;
+      return std::regex_match(name, match, pattern) ? std::stol(match[1]) : -1;
     }
 
     std::string get_slot_name(const unsigned int step)
@@ -77,15 +75,12 @@ namespace caudal
       if (end == std::string::npos ||
           manifest.substr(end) != "manifest " + compute_checksum(manifest.substr(0, end)) + '\n')
         throw std::runtime_error("its manifest is damaged");
-      std::istringstream lines(manifest);
-      std::string        line, word, checksum;
-      std::getline(lines, line);
-      if (line != title)
+      if (manifest.rfind(title + '\n', 0) != 0)
         throw std::runtime_error("it was written in another format, by another version of Caudal");
-      while (word != "state" && std::getline(lines, line))
-        std::istringstream(line) >> word;
-      std::size_t size = 0;
-      std::istringstream(line) >> word >> size >> checksum;
+      std::istringstream words(manifest.substr(manifest.find("\nstate ")));
+      std::string        word, checksum;
+      std::size_t        size = 0;
+      words >> word >> size >> checksum;
 
       const std::string data = read_whole_file(slot / "state");
       if (data.size() != size)
@@ -96,53 +91,25 @@ namespace caudal
       return data;
     }
 
-    /** Whether a run can be resumed from the folder. */
-    bool has_whole_slot(const fs::path &folder)
+    /** The newest whole checkpoint; its path is empty if there is none. */
+    CheckpointFolder::Checkpoint find_newest(const fs::path &folder)
     {
-      try
-      {
-        for (const fs::path &slot : find_slots(folder))
-          if (catch_error([&]() { read_slot(slot); }).empty())
-            return true;
-      }
-      catch (const fs::filesystem_error &)
-      {
-        // It can't be read: there is none.
-      }
-      return false;
+      CheckpointFolder::Checkpoint checkpoint;
+      for (const fs::path &slot : find_slots(folder))
+        try
+        {
+          checkpoint.data = read_slot(slot);
+          checkpoint.path = slot.string();
+          break;
+        }
+        catch (const std::exception &exception)
+        {
+          checkpoint.skipped.push_back("The checkpoint <" + slot.string() +
+                                       "> was skipped: " + exception.what() + ".");
+        }
+      return checkpoint;
     }
   } // namespace
-
-  void CheckpointParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Checkpoint");
-    prm.add_parameter("Interval of steps", step_interval,
-                      "Steps between two checkpoints, from which a run can be resumed; 0: the "
-                      "wall time alone decides [1].",
-                      Patterns::Integer(0));
-    prm.add_parameter("Interval of wall time", wall_time_interval,
-                      "Wall time between two checkpoints [min]; 0: the steps alone decide. "
-                      "An immersed run's checkpoint changes what follows within the solver's "
-                      "tolerance: if it is to be repeated bit by bit, it has to count steps.");
-    prm.add_parameter("Slots", n_slots, "The number of checkpoints that are kept [1].",
-                      Patterns::Integer(1, 1000));
-    prm.add_parameter("Wall time limit", wall_time_limit,
-                      "Wall time after which the run finishes its step, writes a checkpoint and "
-                      "ends with exit code 2 [h]; 0: no limit.");
-    prm.leave_subsection();
-  }
-
-  void CheckpointParameters::check() const
-  {
-    AssertThrow(std::isfinite(wall_time_interval) && wall_time_interval >= 0,
-                ExcMessage("Checkpoint/Interval of wall time: the value is " +
-                           std::to_string(wall_time_interval) +
-                           " min. Give a positive time, or 0 to count steps only."));
-    AssertThrow(std::isfinite(wall_time_limit) && wall_time_limit >= 0,
-                ExcMessage("Checkpoint/Wall time limit: the value is " +
-                           std::to_string(wall_time_limit) +
-                           " h. Give a positive time, or 0 for no limit."));
-  }
 
   CheckpointFolder::CheckpointFolder(const std::string &results, const unsigned int n_slots,
                                      const MPI_Comm communicator)
@@ -182,70 +149,39 @@ namespace caudal
                                const double time) const
   {
     run_on_root(communicator, [&]() {
-      std::string reason;
-      try
-      {
-        write_slot(data, step, time);
-      }
-      catch (const fs::filesystem_error &exception)
-      {
-        reason = exception.code().message();
-      }
-      catch (const std::runtime_error &exception)
-      {
-        reason = exception.what();
-      }
+      const std::string reason = catch_file_error([&]() { write_slot(data, step, time); });
+      if (reason.empty())
+        return;
       std::error_code ignored;
-      if (!reason.empty())
-        fs::remove_all(fs::path(folder) / "unfinished", ignored);
-      AssertThrow(reason.empty(),
+      fs::remove_all(fs::path(folder) / "unfinished", ignored);
+      bool is_one_left = false;
+      catch_file_error([&]() { is_one_left = !find_newest(folder).path.empty(); });
+      AssertThrow(false,
                   ExcMessage("The checkpoint of step " + std::to_string(step) +
                              " can't be written to <" + folder + ">: " + reason +
-                             (has_whole_slot(folder)
-                                  ? ". An earlier checkpoint there is still whole. Make room or "
-                                    "give access, then go on by caudal --resume " +
-                                        results + "."
-                                  : ". There is no whole checkpoint left there. Make room or give "
-                                    "access, then start the run anew.")));
+                             (is_one_left ? ". An earlier checkpoint there is still whole. Make "
+                                            "room or give access, then go on by caudal --resume " +
+                                                results + "."
+                                          : ". There is no whole checkpoint left there. Make room "
+                                            "or give access, then start the run anew.")));
     });
-  }
-
-  void broadcast_text(std::string &text, const MPI_Comm communicator)
-  {
-    const std::uint64_t size  = Utilities::MPI::broadcast(communicator, std::uint64_t(text.size()));
-    const std::uint64_t chunk = 1 << 30;
-    text.resize(size);
-    for (std::uint64_t begin = 0; begin < size; begin += chunk)
-      MPI_Bcast(&text[begin], std::min(chunk, size - begin), MPI_BYTE, 0, communicator);
   }
 
   CheckpointFolder::Checkpoint CheckpointFolder::read_newest() const
   {
     Checkpoint checkpoint;
     run_on_root(communicator, [&]() {
+      checkpoint = find_newest(folder);
       std::string reasons;
-      for (const fs::path &slot : find_slots(folder))
-        try
-        {
-          checkpoint.data = read_slot(slot);
-          checkpoint.path = slot.string();
-          return;
-        }
-        catch (const std::exception &exception)
-        {
-          checkpoint.skipped.push_back("The checkpoint <" + slot.string() +
-                                       "> was skipped: " + exception.what() + ".");
-          reasons += " " + checkpoint.skipped.back();
-        }
-      AssertThrow(false, ExcMessage("The folder <" + results +
-                                    "> holds no checkpoint to resume from." + reasons +
-                                    " Give the folder of a run that has written one, or start the "
-                                    "run anew."));
+      for (const std::string &sentence : checkpoint.skipped)
+        reasons += " " + sentence;
+      AssertThrow(!checkpoint.path.empty(),
+                  ExcMessage("The folder <" + results + "> holds no checkpoint to resume from." +
+                             reasons +
+                             " Give the folder of a run that has written one, or start the "
+                             "run anew."));
     });
-    broadcast_text(checkpoint.data, communicator);
-    checkpoint.path    = Utilities::MPI::broadcast(communicator, checkpoint.path);
-    checkpoint.skipped = Utilities::MPI::broadcast(communicator, checkpoint.skipped);
-    return checkpoint;
+    return Utilities::MPI::broadcast(communicator, checkpoint);
   }
 
   void CheckpointFolder::remove_after(const unsigned int step) const

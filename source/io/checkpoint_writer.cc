@@ -1,11 +1,38 @@
+#include <caudal/base/checks.h>
 #include <caudal/io/checkpoint_writer.h>
 
+#include <cmath>
 #include <sstream>
 
 using namespace dealii;
 
 namespace caudal
 {
+  void CheckpointParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Checkpoint");
+    prm.add_parameter("Interval of steps", step_interval,
+                      "Steps between two checkpoints, from which a run can be resumed; 0: the "
+                      "wall time alone decides [1].",
+                      Patterns::Integer(0));
+    prm.add_parameter("Interval of wall time", wall_time_interval,
+                      "Wall time between two checkpoints [min]; 0: the steps alone decide.");
+    prm.add_parameter("Slots", n_slots, "The number of checkpoints that are kept [1].",
+                      Patterns::Integer(1, 1000));
+    prm.add_parameter("Wall time limit", wall_time_limit,
+                      "Wall time after which the run finishes its step, writes a checkpoint and "
+                      "ends with exit code 2 [h]; 0: no limit.");
+    prm.leave_subsection();
+  }
+
+  void CheckpointParameters::check() const
+  {
+    check_not_negative("Checkpoint/Interval of wall time", wall_time_interval,
+                       "Give a positive time [min], or 0 to count steps only.");
+    check_not_negative("Checkpoint/Wall time limit", wall_time_limit,
+                       "Give a positive time [h], or 0 for no limit.");
+  }
+
   CheckpointWriter::CheckpointWriter(const CheckpointParameters &parameters,
                                      const MPI_Comm              communicator)
       : parameters(parameters)

@@ -1,4 +1,6 @@
+#include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/io/field_output.h>
 #include <caudal/io/safe_file.h>
 
@@ -59,7 +61,7 @@ namespace caudal
       return before + pieces + after;
     }
 
-    /** Writes the data and returns their entry in the list. Collective. */
+    /** Writes the data as VTU and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const std::string &folder,
                           const std::string &file, const std::string &name, const double time,
@@ -69,7 +71,7 @@ namespace caudal
       flags.time                = time;
       flags.cycle               = counter;
       flags.print_date_and_time = false; // equal runs give equal files
-      flags.compression_level   = DataOutBase::VtkFlags::best_speed;
+      flags.compression_level   = decltype(flags.compression_level)::best_speed;
       data_out.set_flags(flags);
       std::ostringstream text;
       data_out.write_vtu(text);
@@ -83,7 +85,7 @@ namespace caudal
       return entry.str();
     }
 
-    /** The same for the other format. */
+    /** Writes the data as HDF5 and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_hdf5(const DataOutInterface<dim, spacedim> &data_out,
                            const std::string &folder, const std::string &file,
@@ -94,8 +96,8 @@ namespace caudal
       data_out.write_filtered_data(filter);
       data_out.write_hdf5_parallel(filter, folder + "/" + file, communicator);
 
-      std::string entry = data_out.create_xdmf_entry(filter, file, time, communicator)
-                              .get_xdmf_content(0, ReferenceCells::get_hypercube<dim>());
+      std::string entry = compatibility::get_xdmf_content<dim>(
+          data_out.create_xdmf_entry(filter, file, time, communicator));
       if (const auto position = entry.find("\"mesh\""); position != std::string::npos)
         entry.replace(position, 6, "\"" + name + "\""); // the block's name
       return entry;
@@ -125,10 +127,13 @@ namespace caudal
   void OutputParameters::check() const
   {
     AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
-    AssertThrow(std::isfinite(field_interval) && field_interval >= 0,
-                ExcMessage("Output/Interval of fields: the interval is " +
-                           std::to_string(field_interval) +
-                           " s. Give a positive time, or 0 for every step."));
+    check_not_negative("Output/Interval of fields", field_interval,
+                       "Give a positive time [s], or 0 for every step.");
+#ifndef DEAL_II_WITH_HDF5
+    AssertThrow(format != "hdf5",
+                ExcMessage("Output/Format: the deal.II of this program was built without HDF5, "
+                           "so that it can't write hdf5. Choose vtu."));
+#endif
   }
 
   FieldFormat OutputParameters::get_format() const
@@ -177,27 +182,20 @@ namespace caudal
                ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
                : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
     };
-    try
-    {
+    const std::string error = catch_error([&]() {
       if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
         run_on_root(communicator, write_data);
       else
         run_on_all(communicator, write_data);
-    }
-    catch (const ExceptionBase &exception)
-    {
-      std::ostringstream reason;
-      exception.print_info(reason);
-      AssertThrow(
-          false,
-          ExcMessage("The fields can't be written any more: " + Utilities::trim(reason.str()) +
-                     ". Make room or give access, then go on by caudal --resume " + folder + "."));
-    }
-
-    run_on_root(communicator, [&]() {
-      series[round_to_list(time)][name] = entry;
-      write_list();
+      run_on_root(communicator, [&]() {
+        series[round_to_list(time)][name] = entry;
+        write_list();
+      });
     });
+    AssertThrow(error.empty(), ExcMessage("The fields can't be written any more: " + error +
+                                          ". Make room or give access, then go on by caudal "
+                                          "--resume " +
+                                          folder + "."));
   }
 
   std::string FieldOutput::get_list_name() const
@@ -228,8 +226,7 @@ namespace caudal
 
   void FieldOutput::write_list() const
   {
-    const std::string temporary = get_list_name() + ".tmp";
-    std::ofstream     out(temporary);
+    std::ostringstream out;
     out.precision(n_digits);
     const bool is_vtu = format == FieldFormat::vtu;
     out << "<?xml version=\"1.0\"?>\n"
@@ -248,10 +245,7 @@ namespace caudal
         out << "</Grid>\n";
     }
     out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
-    out.close();
-    AssertThrow(out, ExcMessage("The list of fields <" + temporary +
-                                "> can't be written. Is the disk full?"));
-    std::filesystem::rename(temporary, get_list_name());
+    replace_file(get_list_name(), out.str());
   }
 
   template void FieldOutput::write(DataOutInterface<2> &, const std::string &, double, unsigned int,

@@ -1,6 +1,6 @@
 #include <caudal/io/log.h>
 
-#include <caudal/base/command_line.h>
+#include <caudal/base/version.h>
 #include <caudal/io/progress.h>
 
 #include <deal.II/base/exceptions.h>
@@ -36,27 +36,36 @@ namespace caudal
           reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
       return get_number != nullptr ? get_number() : 1;
     }
+
+    /** The linear algebra library that serves the calls to dgemm: its name and a verdict. */
+    std::string get_blas()
+    {
+      Dl_info     info;
+      void *const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+      if (dgemm == nullptr || dladdr(dgemm, &info) == 0)
+        return "unknown BLAS";
+
+      std::error_code   error;
+      const std::string path = std::filesystem::canonical(info.dli_fname, error).string();
+      for (const auto &known : {std::pair("openblas", "OpenBLAS"), std::pair("mkl", "Intel MKL"),
+                                std::pair("blis", "BLIS"), std::pair("atlas", "ATLAS")})
+        if (path.find(known.first) != std::string::npos)
+          return std::string(known.second) + " (" + path + ")";
+      if (path.find("/blas/libblas") != std::string::npos)
+        return "reference BLAS: slow, install libopenblas0 (" + path + ")";
+      return path;
+    }
   } // namespace
 
-  std::string get_blas()
+  /** What the terminal gets of the text. */
+  enum class Shown
   {
-    Dl_info     info;
-    void *const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
-    if (dgemm == nullptr || dladdr(dgemm, &info) == 0)
-      return "unknown BLAS";
+    all,
+    warnings,
+    nothing
+  };
 
-    std::error_code   error;
-    const std::string path = std::filesystem::canonical(info.dli_fname, error).string();
-    for (const auto &known : {std::pair("openblas", "OpenBLAS"), std::pair("mkl", "Intel MKL"),
-                              std::pair("blis", "BLIS"), std::pair("atlas", "ATLAS")})
-      if (path.find(known.first) != std::string::npos)
-        return std::string(known.second) + " (" + path + ")";
-    if (path.find("/blas/libblas") != std::string::npos)
-      return "reference BLAS: slow, install libopenblas0 (" + path + ")";
-    return path;
-  }
-
-  /** Doubles the characters to the terminal and to the file. */
+  /** Writes to the file and, what is to be shown, to the terminal. */
   class Log::Buffer : public std::streambuf
   {
   public:
@@ -66,12 +75,23 @@ namespace caudal
         , clears_line(is_terminal())
     {}
 
+    Shown shown = Shown::all;
+
   private:
     int_type overflow(const int_type character) override
     {
       if (traits_type::eq_int_type(character, traits_type::eof()))
         return traits_type::not_eof(character);
       const char c = traits_type::to_char_type(character);
+      if (shown != Shown::all)
+      {
+        line += c;
+        if (c == '\n' && shown == Shown::warnings && line.rfind("Warning", 0) == 0)
+          terminal->sputn(line.data(), line.size());
+        if (c == '\n')
+          line.clear();
+        return file->sputc(c);
+      }
       if (is_at_start && clears_line)
         terminal->sputn("\033[K", 3);
       is_at_start = (c == '\n');
@@ -89,23 +109,31 @@ namespace caudal
     std::streambuf *const file;
     const bool            clears_line;
     bool                  is_at_start = true;
+    std::string           line; // that is not shown yet
   };
 
   Log::Log(const std::string &name, const MPI_Comm communicator, const bool append)
-      : communicator(communicator)
+      : std::ostream(nullptr)
+      , communicator(communicator)
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
       file.open(name, append ? std::ios::app : std::ios::trunc);
       AssertThrow(file.is_open(), ExcMessage("The log file <" + name + "> can't be written."));
       buffer = std::make_unique<Buffer>(std::cout.rdbuf(), file.rdbuf());
+      rdbuf(buffer.get());
     }
-    stream = std::make_unique<std::ostream>(buffer.get());
   }
 
   Log::~Log()
   {
-    stream->flush();
+    flush();
+  }
+
+  void Log::keep_from_terminal(const bool but_for_warnings)
+  {
+    if (buffer)
+      buffer->shown = but_for_warnings ? Shown::warnings : Shown::nothing;
   }
 
   void Log::print_banner()

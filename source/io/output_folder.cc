@@ -1,10 +1,11 @@
 #include <caudal/base/collective.h>
 #include <caudal/io/output_folder.h>
+#include <caudal/io/safe_file.h>
 
-#include <filesystem>
 #include <fstream>
-#include <set>
+#include <regex>
 #include <stdexcept>
+#include <vector>
 
 using namespace dealii;
 
@@ -23,51 +24,24 @@ namespace caudal
       return std::getline(file, line) && line == signature;
     }
 
-    /** statistics.txt or statistics_<case>.txt, swim.txt or swim_<body>.txt and .json */
-    bool is_table(const std::string &name)
-    {
-      const std::string stem = fs::path(name).stem().string(), ending = fs::path(name).extension();
-      const auto        is_called = [&](const std::string &title) {
-        return stem == title || stem.rfind(title + "_", 0) == 0;
-      };
-      return (ending == ".txt" && (is_called("statistics") || is_called("swim"))) ||
-             (ending == ".json" && is_called("swim"));
-    }
-
-    /** Everything that Caudal, scripts/plot, report and paraview write, and nothing else. */
+    /** Removes all that Caudal, scripts/plot, report and paraview write, and nothing else. */
     void remove_results(const fs::path &folder)
     {
-      const std::set<std::string> names   = {"log.txt",      "summary.txt", "summary.csv",
-                                             "summary.json", "report.html", "view.py"};
-      const std::set<std::string> endings = {".pvd", ".xdmf", ".vtu", ".h5", ".png"};
-
-      const auto remove_files = [&](const fs::path &where) {
-        std::set<fs::path> found;
+      static const std::regex results(R"(log\.txt|summary\.(txt|csv|json)|report\.html|view\.py|)"
+                                      R"((statistics|swim)(_.*)?\.txt|swim(_.*)?\.json|)"
+                                      R"(.+\.(pvd|xdmf|vtu|h5|png))");
+      for (const fs::path &where : {folder, folder / "fields", folder / "plots"})
+      {
+        std::vector<fs::path> found;
         if (fs::is_directory(where))
           for (const auto &entry : fs::directory_iterator(where))
-            if (!entry.is_directory() && (names.count(entry.path().filename().string()) > 0 ||
-                                          is_table(entry.path().filename().string()) ||
-                                          endings.count(entry.path().extension().string()) > 0))
-              found.insert(entry.path());
-        for (const auto &path : found)
+            if (!entry.is_directory() &&
+                std::regex_match(entry.path().filename().string(), results))
+              found.push_back(entry.path());
+        for (const fs::path &path : found)
           fs::remove(path);
-      };
-      remove_files(folder);
-      remove_files(folder / "fields");
-      remove_files(folder / "plots");
+      }
       fs::remove_all(folder / "restart");
-    }
-
-    /** Replaces the whole file or, if that fails, leaves the old one. */
-    void write_file(const fs::path &path, const std::string &text)
-    {
-      const fs::path temporary = path.string() + ".tmp";
-      std::ofstream  file(temporary);
-      file << text;
-      file.close();
-      if (!file)
-        throw std::runtime_error("writing a file into it failed");
-      fs::rename(temporary, path);
     }
 
     void prepare(const fs::path &folder, const OutputFolder::Start start)
@@ -81,12 +55,12 @@ namespace caudal
       if (!ours && !fs::is_empty(folder))
         throw std::runtime_error("it is not empty and was not written by Caudal");
 
-      write_file(folder / "test", "Can this folder be written to?\n");
+      replace_file(folder / "test", "Can this folder be written to?\n");
       fs::remove(folder / "test");
       if (start == OutputFolder::Start::fresh)
       {
         remove_results(folder);
-        write_file(folder / "parameters.prm", signature + "\n");
+        replace_file(folder / "parameters.prm", signature + "\n");
       }
     }
   } // namespace
@@ -98,19 +72,7 @@ namespace caudal
   {
     run_on_root(communicator, [&]() {
       AssertThrow(!folder.empty(), ExcMessage("Output/Folder: the name is empty. Give a folder."));
-      std::string reason;
-      try
-      {
-        prepare(folder, start);
-      }
-      catch (const fs::filesystem_error &exception)
-      {
-        reason = exception.code().message();
-      }
-      catch (const std::runtime_error &exception)
-      {
-        reason = exception.what();
-      }
+      const std::string reason = catch_file_error([&]() { prepare(folder, start); });
       AssertThrow(
           reason.empty(),
           ExcMessage("Output/Folder: <" + folder + "> can't take the results: " + reason +
@@ -128,6 +90,6 @@ namespace caudal
   void OutputFolder::write_parameters(const std::string &parameters) const
   {
     run_on_root(communicator,
-                [&]() { write_file(path("parameters.prm"), signature + "\n" + parameters); });
+                [&]() { replace_file(path("parameters.prm"), signature + "\n" + parameters); });
   }
 } // namespace caudal

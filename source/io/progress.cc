@@ -36,24 +36,30 @@ namespace caudal
   void Progress::update(const double time, const unsigned int step, const std::string &details)
   {
     ++n_steps;
-    const double fraction = (time - start_time) / (end_time - start_time);
-    last_line             = get_line(time, step);
-    if (!details.empty())
-      last_line += "  " + details;
-    if (!is_due(fraction))
-      return;
+    const double fraction  = (time - start_time) / (end_time - start_time);
+    const double elapsed   = clock.wall_time();
+    const double remaining = fraction > 0 ? elapsed * std::max(0., 1 / fraction - 1) : 0;
 
-    // The cursor is left at the start of the line, so that whatever is
-    // written next replaces the line.
+    std::ostringstream line;
+    line << "t = " << std::fixed << std::setprecision(4) << time << " of " << std::setprecision(2)
+         << end_time << " s  " << std::setw(5) << std::setprecision(1) << 100 * fraction
+         << " %  step " << step << "  " << std::setprecision(2) << n_steps / std::max(elapsed, 1e-9)
+         << " steps/s  " << format_duration(remaining) << " left" << (details.empty() ? "" : "  ")
+         << details;
+    last_line = line.str();
+
+    const double silence = elapsed - last_print;
+    const bool   is_due =
+        rewrites_line ? silence > 0.25 : (fraction - last_fraction > 0.05 || silence > 300);
+    if (!is_due)
+      return;
+    last_fraction = fraction;
+    last_print    = elapsed;
+    // The cursor is left at the start of the line, so that whatever is written next replaces it.
     if (rewrites_line)
       out << "\033[K" << last_line << '\r' << std::flush;
     else
-    {
-      out << last_line << std::endl;
-      last_line.clear();
-    }
-    last_fraction = fraction;
-    last_print    = get_elapsed_seconds();
+      finish();
   }
 
   void Progress::finish()
@@ -61,35 +67,5 @@ namespace caudal
     if (!last_line.empty())
       out << (rewrites_line ? "\033[K" : "") << last_line << std::endl;
     last_line.clear();
-  }
-
-  double Progress::steps_per_second() const
-  {
-    return n_steps / std::max(get_elapsed_seconds(), 1e-9);
-  }
-
-  double Progress::get_elapsed_seconds() const
-  {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
-  bool Progress::is_due(const double fraction) const
-  {
-    const double silence = get_elapsed_seconds() - last_print;
-    return rewrites_line ? silence > 0.25 : (fraction - last_fraction > 0.05 || silence > 300);
-  }
-
-  std::string Progress::get_line(const double time, const unsigned int step) const
-  {
-    const double fraction  = (time - start_time) / (end_time - start_time);
-    const double elapsed   = get_elapsed_seconds();
-    const double remaining = fraction > 0 ? elapsed * std::max(0., 1 / fraction - 1) : 0;
-
-    std::ostringstream text;
-    text << "t = " << std::fixed << std::setprecision(4) << time << " of " << std::setprecision(2)
-         << end_time << " s  " << std::setw(5) << std::setprecision(1) << 100 * fraction
-         << " %  step " << step << "  " << std::setprecision(2) << steps_per_second()
-         << " steps/s  " << format_duration(remaining) << " left";
-    return text.str();
   }
 } // namespace caudal

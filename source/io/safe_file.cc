@@ -83,4 +83,21 @@ namespace caudal
       throw std::runtime_error("<" + path.filename().string() + "> is missing or can't be read");
     return text.str();
   }
+
+  std::string catch_file_error(const std::function<void()> &action)
+  {
+    try
+    {
+      action();
+    }
+    catch (const std::filesystem::filesystem_error &exception)
+    {
+      return exception.code().message();
+    }
+    catch (const std::runtime_error &exception)
+    {
+      return exception.what();
+    }
+    return "";
+  }
 } // namespace caudal

@@ -3,13 +3,11 @@
 #include <caudal/io/safe_file.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iterator>
 #include <sstream>
-#include <string_view>
 
 using namespace dealii;
 
@@ -18,23 +16,13 @@ namespace caudal
   namespace
   {
     const unsigned int n_digits = 10;
-    const unsigned int width    = n_digits + 8;
-
-    /** Scientific, n_digits; what a stream would print, in a third of its time. */
-    void print(std::ostream &out, const double value)
-    {
-      char        text[2 * width];
-      const auto *end = std::to_chars(text, text + sizeof text, value,
-                                      std::chars_format::scientific, n_digits - 1)
-                            .ptr;
-      out << std::setw(width) << std::string_view(text, end - text);
-    }
-  } // namespace
+  }
 
   Statistics::Statistics(const std::string &file, const double kept_time)
       : file_name(file)
   {
     open(kept_time < 0 ? "" : read_rows(kept_time));
+    has_rows = !headers.empty();
   }
 
   std::string Statistics::read_rows(const double time)
@@ -47,17 +35,16 @@ namespace caudal
     for (std::string line; std::getline(old, line) && !old.eof();)
     {
       if (line.rfind("# ", 0) == 0 && line.find(": ") != std::string::npos)
-        columns.push_back({line.substr(line.find(": ") + 2), 0., false});
+        headers.push_back(line.substr(line.find(": ") + 2));
       else
       {
-        std::istringstream        numbers(line);
-        const std::vector<double> row{std::istream_iterator<double>(numbers), {}};
-        if (row.size() != columns.size() || row.empty() || !(row[0] <= latest))
+        std::istringstream        text(line);
+        const std::vector<double> numbers{std::istream_iterator<double>(text), {}};
+        if (numbers.size() != headers.size() || numbers.empty() || !(numbers[0] <= latest))
           break;
       }
       rows += line + "\n";
     }
-    columns_are_fixed = !columns.empty();
     return rows;
   }
 
@@ -79,47 +66,32 @@ namespace caudal
     {
       std::ostringstream message;
       message << "The statistics' column <" << name << "> is " << value;
-      if (!columns.empty() && columns[0].is_set)
-        message << " at " << columns[0].header << " = " << columns[0].value;
+      if (!row.empty())
+        message << " at " << headers[0] << " = " << row[0];
       message << ". The solution broke down at or before this time.";
       AssertThrow(false, ExcMessage(message.str()));
     }
 
-    const std::string header     = name + " [" + unit + "]";
-    const auto        has_header = [&](const Column &column) { return column.header == header; };
-    if (!columns_are_fixed)
-    {
-      AssertThrow(std::none_of(columns.begin(), columns.end(), has_header), ExcColumn(header));
-      columns.push_back({header, value, true});
-      return;
-    }
-
-    // Quantities are set in the same order in all rows, or nearly so.
-    auto column = columns.begin() + (next < columns.size() ? next : 0);
-    if (!has_header(*column))
-      column = std::find_if(columns.begin(), columns.end(), has_header);
-    AssertThrow(column != columns.end() && !column->is_set, ExcColumn(header));
-    column->value  = value;
-    column->is_set = true;
-    next           = column - columns.begin() + 1;
+    const std::string header   = name + " [" + unit + "]";
+    const bool        is_right = has_rows
+                                     ? row.size() < headers.size() && headers[row.size()] == header
+                                     : std::find(headers.begin(), headers.end(), header) == headers.end();
+    AssertThrow(is_right, ExcColumn(header));
+    if (!has_rows)
+      headers.push_back(header);
+    row.push_back(value);
   }
 
   void Statistics::write_row()
   {
-    for (const Column &column : columns)
-      AssertThrow(column.is_set, ExcColumn(column.header));
-    if (!columns_are_fixed)
-      write_headers();
-
-    for (Column &column : columns)
-    {
-      if (file.is_open())
-        print(file, column.value);
-      column.is_set = false;
-    }
-    next = 0;
+    AssertThrow(row.size() == headers.size(), ExcColumn(headers[row.size()]));
     if (file.is_open())
     {
+      for (std::size_t i = 0; i < headers.size() && !has_rows; ++i)
+        file << "# " << i + 1 << ": " << headers[i] << '\n';
+      for (const double value : row)
+        file << std::setw(n_digits + 8) << std::scientific << std::setprecision(n_digits - 1)
+             << value;
       file << std::endl;
       // A file that was removed still takes rows, which nobody will see.
       AssertThrow(std::filesystem::exists(file_name),
@@ -130,12 +102,7 @@ namespace caudal
       AssertThrow(file, ExcMessage("The statistics file <" + file_name +
                                    "> can't be written any more. Is the disk full?"));
     }
-  }
-
-  void Statistics::write_headers()
-  {
-    columns_are_fixed = true;
-    for (std::size_t i = 0; i < columns.size() && file.is_open(); ++i)
-      file << "# " << i + 1 << ": " << columns[i].header << '\n';
+    row.clear();
+    has_rows = true;
   }
 } // namespace caudal

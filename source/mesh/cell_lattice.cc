@@ -1,3 +1,4 @@
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/cell_lattice.h>
 
 #include <algorithm>
@@ -77,9 +78,7 @@ namespace caudal
       const auto &[lower, upper] = box.get_boundary_points();
       any_cell_between(lattice.get_coordinates(lower - slack, finest),
                        lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
-                         if (!lattice.is_inside(cell, finest))
-                           inside_domain = false;
-                         else
+                         if (lattice.is_inside(cell, finest))
                            // Once an ancestor is known, so are all above it.
                            for (int level = finest;
                                 level >= 0 &&
@@ -109,7 +108,7 @@ namespace caudal
       for (const auto &cell : triangulation.active_cell_iterators_on_level(finest))
         if (cell->is_locally_owned() && contains(cell->center(), finest))
           ++n_found;
-    return Utilities::MPI::sum(n_found, triangulation.get_communicator()) == size();
+    return Utilities::MPI::sum(n_found, compatibility::get_communicator(triangulation)) == size();
   }
 
   template <int dim>

@@ -1,6 +1,6 @@
-#include <caudal/mesh/cylinder_with_flag.h>
+#include <caudal/mesh/round_grids.h>
+#include <caudal/mesh/shape.h>
 
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -9,34 +9,6 @@
 
 namespace caudal
 {
-  template <int dim>
-  void subdivide(const Triangulation<dim> &coarse, const unsigned int n, Triangulation<dim> &tria)
-  {
-    Triangulation<dim> pattern;
-    GridGenerator::subdivided_hyper_cube(pattern, n);
-
-    // Degree 8 meets a circle of eight arcs to 1e-9.
-    const MappingQ<dim>        mapping(8);
-    std::vector<Point<dim>>    vertices;
-    std::vector<CellData<dim>> cells;
-    for (const auto &coarse_cell : coarse.active_cell_iterators())
-    {
-      const unsigned int first = vertices.size();
-      for (const Point<dim> &unit_point : pattern.get_vertices())
-        vertices.push_back(mapping.transform_unit_to_real_cell(coarse_cell, unit_point));
-      for (const auto &cell : pattern.active_cell_iterators())
-      {
-        cells.emplace_back();
-        for (const unsigned int v : cell->vertex_indices())
-          cells.back().vertices[v] = first + cell->vertex_index(v);
-      }
-    }
-    SubCellData               no_faces;
-    std::vector<unsigned int> all_vertices;
-    GridTools::delete_duplicated_vertices(vertices, cells, no_faces, all_vertices, 1e-8);
-    tria.create_triangulation(vertices, cells, no_faces);
-  }
-
   namespace
   {
     /** The point of the segment y >= @p a of the unit circle for a point of the half disc. */
@@ -93,25 +65,67 @@ namespace caudal
           },
           tria);
     }
+
+    /**
+     * A cylinder round the origin with a flag that ends at x = @p radius + @p length
+     * and is @p thickness thick [m]. The flag has @p n_along times @p n_across
+     * cells; it goes on through the cylinder as a strip of as many layers, on
+     * which the rest of the cylinder rests as two segments. Material ids: 0 in
+     * the cylinder, 1 in the flag.
+     */
+    void make_cylinder_with_flag(Triangulation<2> &tria, const double radius, const double length,
+                                 const double thickness, const unsigned int n_along,
+                                 const unsigned int n_across)
+    {
+      // In units of the radius. A half disc has three cells of the coarse grid along its side.
+      const double     a = 0.5 * thickness / radius;
+      const double     n = 2. / 3. / (2. * a / n_across);
+      Triangulation<2> strip, upper, lower;
+      make_half_disc(upper, std::max(2L, std::lround(n)));
+      make_strip(strip, a, 1. + length / radius, get_stations(upper), n_along, n_across);
+      GridTools::transform([a](const Point<2> &p) { return map_to_segment(p, a); }, upper);
+      lower.copy_triangulation(upper);
+      GridTools::rotate(numbers::PI, lower);
+      GridGenerator::merge_triangulations({&strip, &upper, &lower}, tria, 1e-7);
+      GridTools::scale(radius, tria);
+    }
+
+    /** The body of Turek and Hron's benchmark (2006, doi:10.1007/3-540-34596-5_15). */
+    template <int dim>
+    class CylinderWithFlag : public Shape<dim>
+    {
+    public:
+      bool has_grid() const override
+      {
+        return dim == 2;
+      }
+
+      void check_lengths(const ShapeLengths &lengths, const std::string &path) const override
+      {
+        require_positive(lengths.radius, path, "Radius");
+        require_positive(lengths.length, path, "Length");
+        require_positive(lengths.thickness, path, "Thickness");
+        require(lengths.thickness < lengths.radius, path, "Thickness",
+                "the flag is thicker than the cylinder's radius. Give a thinner flag or a larger "
+                "Shape/Radius.");
+      }
+
+      std::string get_region_entry() const override
+      {
+        return "Type";
+      }
+
+      void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
+                     const std::string &, Triangulation<dim>          &tria) const override
+      {
+        if constexpr (dim == 2)
+          make_cylinder_with_flag(tria, lengths.radius, lengths.length, lengths.thickness,
+                                  divisions.elements[0], divisions.elements[1]);
+      }
+    };
+
+    const DimensionalRegistration<Shape, CylinderWithFlag>
+        registration("cylinder with flag", "Turek and Hron's (2D), with the regions cylinder and "
+                                           "flag");
   } // namespace
-
-  void make_cylinder_with_flag(Triangulation<2> &tria, const double radius, const double length,
-                               const double thickness, const unsigned int n_along,
-                               const unsigned int n_across)
-  {
-    // In units of the radius. A half disc has three cells of the coarse grid along its side.
-    const double     a = 0.5 * thickness / radius;
-    const double     n = 2. / 3. / (2. * a / n_across);
-    Triangulation<2> strip, upper, lower;
-    make_half_disc(upper, std::max(2L, std::lround(n)));
-    make_strip(strip, a, 1. + length / radius, get_stations(upper), n_along, n_across);
-    GridTools::transform([a](const Point<2> &p) { return map_to_segment(p, a); }, upper);
-    lower.copy_triangulation(upper);
-    GridTools::rotate(numbers::PI, lower);
-    GridGenerator::merge_triangulations({&strip, &upper, &lower}, tria, 1e-7);
-    GridTools::scale(radius, tria);
-  }
-
-  template void subdivide<2>(const Triangulation<2> &, unsigned int, Triangulation<2> &);
-  template void subdivide<3>(const Triangulation<3> &, unsigned int, Triangulation<3> &);
 } // namespace caudal

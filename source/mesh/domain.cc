@@ -1,3 +1,4 @@
+#include <caudal/base/checks.h>
 #include <caudal/mesh/domain.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -31,13 +32,8 @@ namespace caudal
   void DomainParameters<dim>::check() const
   {
     for (unsigned int d = 0; d < dim; ++d)
-    {
-      AssertThrow(std::isfinite(size[d]) && size[d] > 0,
-                  ExcMessage("Domain/Size: the length in direction " + std::to_string(d) + " is " +
-                             std::to_string(size[d]) + " m. Give positive lengths."));
-    }
-    AssertThrow(levels >= 1 && levels <= 12,
-                ExcMessage("Domain/Levels: " + std::to_string(levels) + ". Give 1 to 12."));
+      check_positive("Domain/Size", size[d], "Give positive lengths [m].");
+    check_between("Domain/Levels", levels, 1, 12, "Give 1 to 12.");
     const Tensor<1, dim> edges = get_cell_size(0);
     for (unsigned int d = 1; d < dim; ++d)
       AssertThrow(edges[d] / edges[0] < 2.001 && edges[0] / edges[d] < 2.001,

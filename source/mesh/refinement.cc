@@ -1,3 +1,5 @@
+#include <caudal/base/checks.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/refinement.h>
 
 #include <caudal/base/collective.h>
@@ -36,18 +38,13 @@ namespace caudal
 
   void RefinementParameters::check(const unsigned int levels) const
   {
-    AssertThrow(interval >= 1, ExcMessage("Refinement/Interval: 0 steps. Give 1 or more."));
-    AssertThrow(body_margin >= 0 && body_margin <= 100,
-                ExcMessage("Refinement/Body margin: " + std::to_string(body_margin) +
-                           " cells. Give 0 to 100."));
-    AssertThrow(
-        std::isfinite(vorticity_threshold) && vorticity_threshold >= 0,
-        ExcMessage("Refinement/Vorticity threshold: " + std::to_string(vorticity_threshold) +
-                   " m/s. Give 0 (off) or a positive number."));
-    AssertThrow(vorticity_levels <= levels,
-                ExcMessage("Refinement/Vorticity levels: " + std::to_string(vorticity_levels) +
-                           ". Give at most Domain/Levels = " + std::to_string(levels) +
-                           ", or 0 for all levels."));
+    check_positive("Refinement/Interval", interval, "Give 1 step or more.");
+    check_between("Refinement/Body margin", body_margin, 0, 100, "Give 0 to 100 cells.");
+    check_not_negative("Refinement/Vorticity threshold", vorticity_threshold,
+                       "Give 0 (off) or a positive number [m/s].");
+    check_value(vorticity_levels <= levels, "Refinement/Vorticity levels", vorticity_levels,
+                "Give at most Domain/Levels = " + std::to_string(levels) +
+                    ", or 0 for all levels.");
   }
 
   namespace
@@ -129,16 +126,13 @@ namespace caudal
       void set_wanted_levels(const parallel::distributed::Triangulation<dim> &triangulation,
                              const double                                     time)
       {
-        const std::string path    = "Refinement/Level expression";
-        const auto level_function = make_expression<dim>(path, parameters.level_expression, 1);
-        level_function->set_time(time);
-        run_on_all(triangulation.get_communicator(), [&]() {
+        Expression<dim> level_function("Refinement/Level expression", parameters.level_expression,
+                                       1);
+        level_function.set_time(time);
+        run_on_all(compatibility::get_communicator(triangulation), [&]() {
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned())
-            {
-              check_finite(path, parameters.level_expression, *level_function, cell->center());
-              wanted_levels[cell->active_cell_index()] = level_function->value(cell->center());
-            }
+              wanted_levels[cell->active_cell_index()] = level_function.value(cell->center());
         });
       }
 
@@ -173,7 +167,7 @@ namespace caudal
               fine.push_back(get_family_indicator(cell));
           }
         constexpr double n_children   = GeometryInfo<dim>::max_children_per_cell;
-        const MPI_Comm   communicator = triangulation.get_communicator();
+        const MPI_Comm   communicator = compatibility::get_communicator(triangulation);
         const double     n_spare =
             1. * parameters.largest_number_of_cells - triangulation.n_global_active_cells();
         refinement_threshold =
@@ -207,7 +201,8 @@ namespace caudal
           cell->set_coarsen_flag();
         any_flag = any_flag || needs_refinement || may_coarsen;
       }
-    return Utilities::MPI::max(static_cast<int>(any_flag), triangulation.get_communicator()) > 0;
+    return Utilities::MPI::max(static_cast<int>(any_flag),
+                               compatibility::get_communicator(triangulation)) > 0;
   }
 
   template bool flag_cells(parallel::distributed::Triangulation<2> &, const CellLattice<2> &,

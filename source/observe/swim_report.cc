@@ -1,91 +1,14 @@
 #include <caudal/observe/swim_report.h>
-#include <caudal/observe/swim_table.h>
 
-#include <deal.II/base/exceptions.h>
+#include <caudal/io/safe_file.h>
+#include <caudal/observe/swim_table.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-
-using namespace dealii;
+#include <sstream>
 
 namespace caudal
 {
-  TailCycleDetector::TailCycleDetector(const double smallest_amplitude)
-      : smallest_swing(2 * smallest_amplitude)
-  {}
-
-  std::optional<TailCycle> TailCycleDetector::add(const double time, const double position)
-  {
-    times.push_back(time);
-    positions.push_back(position);
-    const std::size_t i         = positions.size() - 1;
-    const double      threshold = std::max(smallest_swing, 0.2 * swing);
-
-    if (direction == 0)
-    {
-      if (position > positions[extreme])
-        extreme = i;
-      if (position < positions[opposite])
-        opposite = i;
-      if (positions[extreme] - positions[opposite] > threshold)
-      {
-        direction = extreme > opposite ? 1 : -1;
-        if (direction < 0)
-          std::swap(extreme, opposite);
-      }
-    }
-    else if (direction * (position - positions[extreme]) > 0)
-      extreme = i;
-    else if (direction * (positions[extreme] - position) > threshold)
-    {
-      if (direction > 0)
-        return accept_peak();
-      accept_trough();
-    }
-    return {};
-  }
-
-  std::optional<TailCycle> TailCycleDetector::accept_peak()
-  {
-    // Only a rise that starts from an accepted trough gives a crossing: the
-    // position at rest is none.
-    std::optional<TailCycle> cycle;
-    if (swing > 0)
-    {
-      const double crossing = get_up_crossing();
-      if (start >= 0)
-        cycle = TailCycle{start, crossing, amplitude};
-      start = crossing;
-    }
-    swing     = positions[extreme] - *std::min_element(positions.begin(), positions.end());
-    opposite  = extreme;
-    extreme   = positions.size() - 1;
-    direction = -1;
-    return cycle;
-  }
-
-  void TailCycleDetector::accept_trough()
-  {
-    swing     = positions[opposite] - positions[extreme];
-    amplitude = swing / 2;
-    times.erase(times.begin(), times.begin() + extreme);
-    positions.erase(positions.begin(), positions.begin() + extreme);
-    extreme   = positions.size() - 1;
-    opposite  = 0;
-    direction = 1;
-  }
-
-  double TailCycleDetector::get_up_crossing() const
-  {
-    const double mean = (positions.front() + positions[extreme]) / 2;
-    std::size_t  i    = extreme;
-    while (positions[i - 1] >= mean)
-      --i;
-    const double weight = (mean - positions[i - 1]) / (positions[i] - positions[i - 1]);
-    return times[i - 1] + weight * (times[i] - times[i - 1]);
-  }
-
   SwimReport::SwimReport(const SwimmerConstants &swimmer, std::ostream &log,
                          const std::string &file)
       : swimmer(swimmer)
@@ -104,8 +27,9 @@ namespace caudal
     beats.push_back(
         compute_beat(swimmer, samples, *cycle, beats.empty() ? 0. : beats.back().speed));
     if (beats.size() == 1)
-      write_screen_header(log, swimmer);
-    write_screen_row(log, swimmer, beats.size(), beats.back());
+      write_header(log, swimmer, SwimTable::screen);
+    write_row(log, swimmer, beats.size(), beats.back(), SwimTable::screen);
+    log << std::flush;
     write_files();
 
     const auto still_needed = std::find_if(
@@ -116,7 +40,7 @@ namespace caudal
   std::size_t SwimReport::count_steady_beats() const
   {
     return std::find_if(beats.rbegin(), beats.rend(),
-                        [](const TailBeat &beat) { return !beat.is_steady; }) -
+                        [](const TailBeat &beat) { return beat.steady == 0; }) -
            beats.rbegin();
   }
 
@@ -152,13 +76,12 @@ namespace caudal
   {
     if (file.empty())
       return;
-    std::ofstream out(file);
-    write_swim_table(out, swimmer, beats);
-    AssertThrow(out.flush(), ExcMessage("The table of tail beats <" + file +
-                                        "> can't be written. Is the disk full?"));
-    std::ofstream json(get_json_file());
+    std::ostringstream table, json;
+    write_header(table, swimmer, SwimTable::file);
+    for (std::size_t i = 0; i < beats.size(); ++i)
+      write_row(table, swimmer, i + 1, beats[i], SwimTable::file);
+    replace_file(file, table.str());
     write_swim_json(json, swimmer, beats, count_steady_beats());
-    AssertThrow(json.flush(), ExcMessage("The table of tail beats <" + get_json_file() +
-                                         "> can't be written. Is the disk full?"));
+    replace_file(get_json_file(), json.str());
   }
 } // namespace caudal

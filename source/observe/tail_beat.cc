@@ -11,7 +11,7 @@ namespace caudal
 {
   namespace
   {
-    const double steady_change = 0.02;
+    const double steady_change = 2; // [%]
 
     /** The samples of a cycle, with interpolated ones at its ends. */
     std::vector<SwimSample> cut(const std::vector<SwimSample> &samples, const TailCycle &cycle)
@@ -26,13 +26,11 @@ namespace caudal
           return (1 - weight) * x + weight * y;
         };
         SwimSample result;
-        result.time             = time;
-        result.tail_position    = mix(a.tail_position, b.tail_position);
-        result.forward_position = mix(a.forward_position, b.forward_position);
-        result.muscle_work      = mix(a.muscle_work, b.muscle_work);
-        result.forward_momentum = mix(a.forward_momentum, b.forward_momentum);
-        result.body_impulse     = mix(a.body_impulse, b.body_impulse);
-        result.fluid_impulse    = mix(a.fluid_impulse, b.fluid_impulse);
+        result.time = time;
+        for (const auto member :
+             {&SwimSample::tail_position, &SwimSample::forward_position, &SwimSample::muscle_work,
+              &SwimSample::forward_momentum, &SwimSample::body_impulse, &SwimSample::fluid_impulse})
+          result.*member = mix(a.*member, b.*member);
         for (const auto member : {&EnergyLedger::kinetic_energy, &EnergyLedger::elastic_energy,
                                   &EnergyLedger::dissipation, &EnergyLedger::numerical_dissipation,
                                   &EnergyLedger::muscle_work, &EnergyLedger::feedback_work,
@@ -102,6 +100,84 @@ namespace caudal
     }
   } // namespace
 
+  const std::vector<TailBeatQuantity> &get_tail_beat_quantities()
+  {
+    static const std::vector<TailBeatQuantity> quantities = {
+        {&TailBeat::start, "start", "start", "s", false, "the tail rises through its mean", 4, true,
+         false},
+        {&TailBeat::period, "period", "T", "s", false, "period, to the next rise", 4, true, true},
+        {&TailBeat::frequency, "frequency", "f", "Hz", false, "frequency 1/T", 4, true, false},
+        {&TailBeat::amplitude, "amplitude", "A", "m", false, "amplitude: half of peak to trough", 4,
+         true, true},
+        {&TailBeat::speed, "speed", "U", "m/s", false, "mean forward speed of the centre of mass",
+         4, true, true},
+        {&TailBeat::lengths_per_s, "speed in lengths", "U/L", "1/s", false,
+         "the same in body lengths L a second", 4, true, false},
+        {&TailBeat::strouhal, "Strouhal number", "St", "", false, "Strouhal number 2 f A / |U|", 4,
+         true, false},
+        {&TailBeat::reynolds, "Reynolds number", "Re", "", false, "Reynolds number |U| L / nu", 0,
+         true, false},
+        {&TailBeat::swimming, "swimming number", "Sw", "", false,
+         "swimming number 2 pi f A L / nu (Gazzola et al. 2014, doi:10.1038/nphys3078)", 0, false,
+         false},
+        {&TailBeat::power, "power", "P", "W", true, "mean power of the muscle", 4, true, true},
+        {&TailBeat::peak_power, "peak power", "Pmax", "W", true,
+         "the muscle's largest power in a step", 4, true, false},
+        {&TailBeat::energy_per_metre, "energy per metre", "P/U", "J/m", true,
+         "muscle energy per metre of way, P / |U|", 4, false, false},
+        {&TailBeat::cost_of_transport, "cost of transport", "CoT", "J/(kg m)", false,
+         "P / (m |U|), m the body's mass", 5, true, false},
+        {&TailBeat::momentum_rate, "momentum rate", "dmv/dt", "N", true,
+         "mean net force forward, from the change of the body's momentum", 4, false, true},
+        {&TailBeat::body_force, "body force", "Fbody", "N", true,
+         "mean forward force of muscle and springs from outside; the fluid's is dmv/dt - Fbody", 4,
+         false, true},
+        {&TailBeat::fluid_force, "force by control volume", "Fvol", "N", true,
+         "mean forward force of the fluid once more, by the momentum balance of Fluid/Control "
+         "volume (nan once the fish has left it); dmv/dt - Fbody is to be the same",
+         4, true, true},
+        {&TailBeat::thrust, "thrust", "thrust", "N", true,
+         "mean of the positive part of the fluid's forward force d(mv)/dt - Fbody of the steps, as "
+         "Borazjani & Sotiropoulos 2008 (doi:10.1242/jeb.015644) do for pressure and friction",
+         4, true, true},
+        {&TailBeat::drag, "drag", "drag", "N", true,
+         "mean of its negative part; thrust - drag = dmv/dt - Fbody, 0 in steady free swimming", 4,
+         false, true},
+        {&TailBeat::froude_efficiency, "Froude efficiency", "etaF", "", false, "thrust U / P", 4,
+         false, false},
+        {&TailBeat::towing_power, "towing power", "Ptow", "W", true,
+         "power to tow the straight body at U, friction of a laminar flat plate only: rho/2 S "
+         "1.328 Re^(-1/2) |U|^3, S the area of both sides (Blasius 1908)",
+         4, false, false},
+        {&TailBeat::quasi_propulsive, "quasi-propulsive efficiency", "etaQP", "", false,
+         "Ptow / P (Maertens, Triantafyllou & Yue 2015, doi:10.48550/arXiv.1409.7263); a lower "
+         "bound, as Ptow leaves out form drag",
+         5, false, false},
+        {&TailBeat::muscle_work, "muscle work", "Wmuscle", "J", true,
+         "work of all muscles in the beat = dEkin + dEel + diss + feedback - external + residual",
+         4, false, true},
+        {&TailBeat::kinetic_energy, "kinetic energy", "dEkin", "J", true,
+         "change of kinetic energy of fluid and bodies", 4, false, true},
+        {&TailBeat::elastic_energy, "elastic energy", "dEel", "J", true,
+         "change of elastic energy of the bodies", 4, false, true},
+        {&TailBeat::dissipation, "dissipation", "diss", "J", true, "dissipated in the fluid", 4,
+         false, true},
+        {&TailBeat::numerical_dissipation, "numerical dissipation", "numerical", "J", true,
+         "the part of diss by stabilisations (grad-div, local projection) and the time scheme", 4,
+         false, true},
+        {&TailBeat::feedback, "feedback", "feedback", "J", true,
+         "taken up by feedback springs and dampers", 4, false, true},
+        {&TailBeat::external_work, "external work", "external", "J", true,
+         "work on the fluid through the sides of the domain and by the body force", 4, false, true},
+        {&TailBeat::residual, "residual", "residual", "J", true, "what is unaccounted for", 4,
+         false, true},
+        {&TailBeat::change, "change", "dU", "%", false,
+         "drift: change of U since the beat before, relative to U", 2, true, false},
+        {&TailBeat::steady, "steady", "steady", "", false, "1: this change is less than 2 %", 0,
+         true, false}};
+    return quantities;
+  }
+
   TailBeat compute_beat(const SwimmerConstants &swimmer, const std::vector<SwimSample> &samples,
                         const TailCycle &cycle, const double previous_speed)
   {
@@ -120,8 +196,8 @@ namespace caudal
     set_forces(inside, beat);
     set_ledger(first.ledger, last.ledger, beat);
     set_dependent(swimmer, beat);
-    beat.change    = (beat.speed - previous_speed) / std::abs(beat.speed);
-    beat.is_steady = std::abs(beat.change) < steady_change;
+    beat.change = 100 * ((beat.speed - previous_speed) / std::abs(beat.speed));
+    beat.steady = std::abs(beat.change) < steady_change;
     return beat;
   }
 
@@ -131,23 +207,19 @@ namespace caudal
     if (beats.size() == 1)
       return beats.front();
     TailBeat mean;
-    for (const auto member :
-         {&TailBeat::period, &TailBeat::amplitude, &TailBeat::speed, &TailBeat::power,
-          &TailBeat::momentum_rate, &TailBeat::body_force, &TailBeat::fluid_force,
-          &TailBeat::thrust, &TailBeat::drag, &TailBeat::muscle_work, &TailBeat::kinetic_energy,
-          &TailBeat::elastic_energy, &TailBeat::dissipation, &TailBeat::numerical_dissipation,
-          &TailBeat::feedback, &TailBeat::external_work, &TailBeat::residual})
+    for (const TailBeatQuantity &quantity : get_tail_beat_quantities())
       for (const TailBeat &beat : beats)
-        mean.*member += beat.*member / beats.size();
+        if (quantity.is_averaged)
+          mean.*quantity.value += beat.*quantity.value / beats.size();
     mean.peak_power =
         std::max_element(beats.begin(), beats.end(), [](const auto &a, const auto &b) {
           return a.peak_power < b.peak_power;
         })->peak_power;
     mean.start = beats.front().start;
     set_dependent(swimmer, mean);
-    mean.change = (beats.back().speed - beats.front().speed) / std::abs(mean.speed);
-    mean.is_steady =
-        std::all_of(beats.begin(), beats.end(), [](const TailBeat &b) { return b.is_steady; });
+    mean.change = 100 * ((beats.back().speed - beats.front().speed) / std::abs(mean.speed));
+    mean.steady =
+        std::all_of(beats.begin(), beats.end(), [](const TailBeat &b) { return b.steady > 0; });
     return mean;
   }
 } // namespace caudal

@@ -1,5 +1,6 @@
 #include <caudal/io/progress.h>
 #include <caudal/solid/elastic_body.h>
+#include <caudal/solid/elasticity.h>
 
 #include <deal.II/lac/sparse_direct.h>
 
@@ -21,13 +22,16 @@ namespace caudal
                                 const MPI_Comm                communicator)
       : parameters(parameters)
       , solid(*parameters.solid, /*fluid_density=*/0.)
+      , elasticity(make_elastic_load(solid))
+      , response(solid.get_sparsity_pattern())
       , weight(solid.n_dofs())
+      , positions(solid.get_initial_positions())
+      , velocity(solid.n_dofs())
       , acceleration(solid.n_dofs())
       , matrix(solid.get_sparsity_pattern())
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(communicator) == 1,
                 ExcMessage("Model: the elastic model runs on one rank. Start it without mpirun."));
-    system.reinit(solid.get_sparsity_pattern());
     weight = solid.compute_moments([&](const Point<dim> &) { return parameters.gravity; });
     weight *= solid.get_excess_density();
   }
@@ -46,8 +50,9 @@ namespace caudal
   Vector<double> ElasticBody<dim>::compute_residual(const double inertia, const double load,
                                                     const Vector<double> &predicted)
   {
-    assemble_elastic_system(solid, solid.positions, ActiveLoad<dim>(), true, system);
-    Vector<double> residual(system.elastic_force), move(solid.positions), force(solid.n_dofs());
+    Vector<double> residual(solid.n_dofs()), move(positions), force(solid.n_dofs());
+    response.stiffness = 0;
+    elasticity->add({positions, velocity, 0, 0, Contraction()}, residual, &response);
     move -= predicted;
     solid.get_mass_matrix().vmult(force, move);
     residual.add(load, weight, -inertia, force);
@@ -61,7 +66,7 @@ namespace caudal
   template <int dim>
   void ElasticBody<dim>::apply_newton_update(const double inertia, Vector<double> &residual)
   {
-    matrix.copy_from(system.stiffness);
+    matrix.copy_from(response.stiffness);
     matrix.add(inertia, solid.get_mass_matrix());
     for (auto entry : matrix)
       if (solid.is_fixed(entry.row()) || solid.is_fixed(entry.column()))
@@ -69,7 +74,7 @@ namespace caudal
     SparseDirectUMFPACK solver;
     solver.initialize(matrix);
     solver.solve(residual);
-    solid.positions += residual;
+    positions += residual;
   }
 
   template <int dim>
@@ -78,9 +83,9 @@ namespace caudal
     // Average acceleration: X = X_0 + dt U_0 + dt^2/4 (A_0 + A), U = U_0 + dt/2 (A_0 + A).
     const bool     moves   = !parameters.is_static;
     const double   inertia = moves ? 4 / (step * step) * solid.get_excess_density() : 0;
-    Vector<double> predicted(solid.positions);
+    Vector<double> predicted(positions);
     if (moves)
-      predicted.add(step, solid.velocity, 0.25 * step * step, acceleration);
+      predicted.add(step, velocity, 0.25 * step * step, acceleration);
 
     const double length    = compute_extent(solid.get_triangulation()).length;
     unsigned int iteration = 0;
@@ -100,10 +105,10 @@ namespace caudal
     } while (!(correction <= tolerance * length));
     if (moves)
     {
-      Vector<double> new_acceleration(solid.positions);
+      Vector<double> new_acceleration(positions);
       new_acceleration -= predicted;
       new_acceleration *= 4 / (step * step);
-      solid.velocity.add(0.5 * step, acceleration, 0.5 * step, new_acceleration);
+      velocity.add(0.5 * step, acceleration, 0.5 * step, new_acceleration);
       acceleration = new_acceleration;
     }
     return iteration;
@@ -114,18 +119,18 @@ namespace caudal
                                           Statistics &statistics) const
   {
     const std::string prefix = solid.get_name() + ": ";
-    const auto        shape  = summarise_deformation(solid, solid.positions);
+    const auto        shape  = summarise_deformation(solid, positions);
     statistics.set("time", "s", time);
     statistics.set("iterations", "", iterations);
     for (unsigned int k = 0; k < solid.get_parameters().monitored_points.size(); ++k)
       for (unsigned int d = 0; d < dim; ++d)
         statistics.set(prefix + "xyz"[d] + " of point " + std::to_string(k + 1), "m",
-                       solid.evaluate(solid.positions, k)[d]);
-    Vector<double> momentum(solid.n_dofs()), displacement(solid.positions);
-    solid.get_mass_matrix().vmult(momentum, solid.velocity);
-    displacement -= solid.initial_positions;
+                       solid.evaluate(positions, k)[d]);
+    Vector<double> momentum(solid.n_dofs()), displacement(positions);
+    solid.get_mass_matrix().vmult(momentum, velocity);
+    displacement -= solid.get_initial_positions();
     statistics.set(prefix + "kinetic energy", get_extensive_unit<dim>("J"),
-                   0.5 * solid.get_excess_density() * (momentum * solid.velocity));
+                   0.5 * solid.get_excess_density() * (momentum * velocity));
     statistics.set(prefix + "elastic energy", get_extensive_unit<dim>("J"), shape.elastic_energy);
     statistics.set(prefix + "work of gravity", get_extensive_unit<dim>("J"), weight * displacement);
     statistics.set(prefix + "min J", "", shape.smallest_jacobian);

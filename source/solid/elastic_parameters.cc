@@ -1,6 +1,5 @@
+#include <caudal/base/checks.h>
 #include <caudal/solid/elastic_parameters.h>
-
-#include <cmath>
 
 namespace caudal
 {
@@ -28,6 +27,7 @@ namespace caudal
     prm.add_parameter("Bodies", body_name,
                       "The name of the body, which has a section `Body <name>`.",
                       Patterns::Anything());
+    declare_libraries(prm);
     prm.add_parameter("Gravity", gravity, "Acceleration of gravity g [m/s^2].");
     prm.enter_subsection("Time");
     prm.add_parameter("Static", is_static,
@@ -47,40 +47,41 @@ namespace caudal
     prm.leave_subsection();
   }
 
-  template <int dim>
-  void ElasticParameters<dim>::check() const
+  namespace
   {
-    for (const auto &[entry, value] : {std::make_pair("End time", end_time), {"Step", step}})
-      AssertThrow(std::isfinite(value) && value > 0,
-                  ExcMessage(std::string("Time/") + entry + ": the value is " +
-                             std::to_string(value) + " s. Give a positive number."));
-    solid->check();
-    AssertThrow(solid->density > 0,
-                ExcMessage(solid->get_path() + "/Density: the value is " +
-                           std::to_string(solid->density) +
-                           " kg/m^3, but there is no fluid to take it from. Give a positive one."));
-    AssertThrow(solid->traction.empty(),
-                ExcMessage(solid->get_path() + "/Traction: the elastic model knows no load but "
-                                               "Gravity. Leave it empty."));
-    for (unsigned int r = 0; r < solid->regions.size(); ++r)
+    /** What a region can't have without a fluid. */
+    template <int dim>
+    void check_region(const RegionParameters<dim> &region, const std::string &path)
     {
-      const std::string path = solid->get_path() + "/Region " + solid->regions[r];
-      AssertThrow(solid->region_parameters[r]->material.thin_direction == "none",
+      const MaterialParameters<dim> &material = region.material;
+      AssertThrow(material.thin_direction == "none",
                   ExcMessage(path + "/Thin direction: the elastic model has no fluid whose "
                                     "pressure takes the stress that this leaves out. Give none."));
-      const MaterialParameters &material = solid->region_parameters[r]->material;
-      AssertThrow(material.material == "St. Venant-Kirchhoff" || material.material == "none" ||
-                      material.volumetric_stabilisation > 0 ||
-                      solid->region_parameters[r]->cell_volume_stabilisation > 0,
-                  ExcMessage(path + "/Material: <" + material.material +
+      AssertThrow(!material.material.get().leaves_volume_to_pressure() ||
+                      material.volumetric_stabilisation > 0 || region.cell_volume_stabilisation > 0,
+                  ExcMessage(path + "/Material: <" + material.material.get_name() +
                              "> leaves the volume to the fluid's pressure, and there is no fluid. "
                              "Give St. Venant-Kirchhoff, or a Volumetric stabilisation."));
-      AssertThrow(solid->region_parameters[r]->feedback_stiffness == 0 &&
-                      solid->region_parameters[r]->feedback_damping == 0,
+      AssertThrow(region.feedback_stiffness == 0 && region.feedback_damping == 0,
                   ExcMessage(path +
                              "/Feedback stiffness, Feedback damping: the elastic model has no "
                              "feedback forces. Leave them at 0; Motion = fixed holds a region."));
     }
+  } // namespace
+
+  template <int dim>
+  void ElasticParameters<dim>::check() const
+  {
+    check_positive("Time/End time", end_time, "Give a positive number [s].");
+    check_positive("Time/Step", step, "Give a positive number [s].");
+    solid->check();
+    check_positive(solid->get_path() + "/Density", solid->density,
+                   "There is no fluid to take it from: give a positive one [kg/m^3].");
+    AssertThrow(solid->traction.empty(),
+                ExcMessage(solid->get_path() + "/Traction: the elastic model knows no load but "
+                                               "Gravity. Leave it empty."));
+    for (unsigned int r = 0; r < solid->regions.size(); ++r)
+      check_region(*solid->region_parameters[r], solid->get_region_path(r));
     output.check();
   }
 

@@ -6,15 +6,6 @@ namespace caudal
 {
   namespace
   {
-    template <int dim>
-    Tensor<1, dim> get_value(const Vector<double> &field, const typename SolidBody<dim>::Node &node)
-    {
-      Tensor<1, dim> value;
-      for (unsigned int d = 0; d < dim; ++d)
-        value[d] = field[node[d]];
-      return value;
-    }
-
     /** Pairs (i, j), i < j, of the planes of rotation. */
     template <int dim>
     std::vector<std::pair<unsigned int, unsigned int>> get_planes()
@@ -37,16 +28,16 @@ namespace caudal
     {
       const double weight = body.get_nodal_volumes()[node[0]];
       volume += weight;
-      fit.reference_center += weight * get_value<dim>(reference, node);
-      fit.center += weight * get_value<dim>(x, node);
+      fit.reference_center += weight * get_value(reference, node);
+      fit.center += weight * get_value(x, node);
     }
     fit.reference_center /= volume;
     fit.center /= volume;
     Tensor<2, dim> correlation;
     for (const auto &node : nodes)
       correlation += body.get_nodal_volumes()[node[0]] *
-                     outer_product(get_value<dim>(x, node) - fit.center,
-                                   get_value<dim>(reference, node) - fit.reference_center);
+                     outer_product(get_value(x, node) - fit.center,
+                                   get_value(reference, node) - fit.reference_center);
     fit.rotation = project_onto_orthogonal_tensors(correlation);
     return fit;
   }
@@ -62,8 +53,8 @@ namespace caudal
     {
       const double weight = body.get_nodal_volumes()[node[0]];
       volume += weight;
-      fit.center += weight * get_value<dim>(x, node);
-      fit.mean += weight * get_value<dim>(v, node);
+      fit.center += weight * get_value(x, node);
+      fit.mean += weight * get_value(v, node);
     }
     fit.center /= volume;
     fit.mean /= volume;
@@ -75,7 +66,7 @@ namespace caudal
     for (const auto &node : nodes)
     {
       const double                weight = body.get_nodal_volumes()[node[0]];
-      const Tensor<1, dim>        arm    = get_value<dim>(x, node) - fit.center;
+      const Tensor<1, dim>        arm    = get_value(x, node) - fit.center;
       std::vector<Tensor<1, dim>> turns(planes.size());
       for (unsigned int k = 0; k < planes.size(); ++k)
       {
@@ -84,7 +75,7 @@ namespace caudal
       }
       for (unsigned int k = 0; k < planes.size(); ++k)
       {
-        momentum[k] += weight * (turns[k] * (get_value<dim>(v, node) - fit.mean));
+        momentum[k] += weight * (turns[k] * (get_value(v, node) - fit.mean));
         for (unsigned int l = 0; l < planes.size(); ++l)
           inertia(k, l) += weight * (turns[k] * turns[l]);
       }

@@ -22,8 +22,9 @@ namespace caudal
   {
     make_body_grid(triangulation, parameters.grid, parameters.regions.size(),
                    parameters.get_path());
-    for (const auto &region : parameters.region_parameters)
-      stress_models.push_back(create_stress_model<dim>(region->material));
+    for (unsigned int r = 0; r < parameters.regions.size(); ++r)
+      materials.push_back(
+          parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));
 
     dof_handler.distribute_dofs(element);
     DoFRenumbering::Cuthill_McKee(dof_handler);
@@ -67,15 +68,8 @@ namespace caudal
 
     initial_positions.reinit(n_dofs());
     for (const Node &node : nodes)
-    {
-      const Point<dim> place = place_in_domain(parameters.grid, reference_points[node[0]]);
-      for (unsigned int d = 0; d < dim; ++d)
-        initial_positions[node[d]] = place[d];
-    }
-    positions     = initial_positions;
-    old_positions = initial_positions;
-    for (Vector<double> *vector : {&velocity, &old_velocity, &force_density})
-      vector->reinit(n_dofs());
+      set_value(initial_positions, node,
+                place_in_domain(parameters.grid, reference_points[node[0]]));
   }
 
   template <int dim>
@@ -131,7 +125,7 @@ namespace caudal
     for (const auto &cell : dof_handler.active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
-      const RegionParameters &region = *parameters.region_parameters[cell->material_id()];
+      const RegionParameters<dim> &region = *parameters.region_parameters[cell->material_id()];
       for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
       {
         const double weight =
@@ -279,25 +273,34 @@ namespace caudal
   }
 
   template <int dim>
+  std::vector<Point<dim>> get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                         const Vector<double>                                 &x)
+  {
+    const FiniteElement<dim>            &element = cell->get_fe();
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    std::vector<Point<dim>>              nodes(dofs.size() / dim);
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+    {
+      const auto [component, a] = element.system_to_component_index(i);
+      nodes[a][component]       = x[dofs[i]];
+    }
+    return nodes;
+  }
+
+  template <int dim>
   std::vector<BoundingBox<dim>> SolidBody<dim>::compute_cell_boxes(const Vector<double> &x) const
   {
-    const unsigned int                   n_nodes = element.n_dofs_per_cell() / dim;
-    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-    std::vector<BoundingBox<dim>>        boxes;
+    std::vector<BoundingBox<dim>> boxes;
     for (const auto &cell : dof_handler.active_cell_iterators())
-    {
-      cell->get_dof_indices(dofs);
-      std::vector<Point<dim>> nodes(n_nodes);
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-      {
-        const auto [component, a] = element.system_to_component_index(i);
-        nodes[a][component]       = x[dofs[i]];
-      }
-      boxes.emplace_back(nodes);
-    }
+      boxes.emplace_back(get_cell_nodes<dim>(cell, x));
     return boxes;
   }
 
   template class SolidBody<2>;
   template class SolidBody<3>;
+  template std::vector<Point<2>> get_cell_nodes<2>(const DoFHandler<2>::active_cell_iterator &,
+                                                   const Vector<double> &);
+  template std::vector<Point<3>> get_cell_nodes<3>(const DoFHandler<3>::active_cell_iterator &,
+                                                   const Vector<double> &);
 } // namespace caudal

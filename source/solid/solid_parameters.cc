@@ -1,10 +1,10 @@
+#include <caudal/base/checks.h>
 #include <caudal/solid/solid_parameters.h>
-
-#include <cmath>
 
 namespace caudal
 {
-  void RegionParameters::add_parameters(ParameterHandler &prm)
+  template <int dim>
+  void RegionParameters<dim>::add_parameters(ParameterHandler &prm)
   {
     material.add_parameters(prm);
     prm.add_parameter(
@@ -27,19 +27,16 @@ namespace caudal
                       Patterns::Selection("free|fixed"));
   }
 
-  void RegionParameters::check(const std::string &path) const
+  template <int dim>
+  void RegionParameters<dim>::check(const std::string &path) const
   {
     material.check(path);
-    AssertThrow(std::isfinite(cell_volume_stabilisation) && cell_volume_stabilisation >= 0,
-                ExcMessage(path + "/Cell volume stabilisation: the value is " +
-                           std::to_string(cell_volume_stabilisation) +
-                           ". Give 0 or a positive number."));
-    AssertThrow(std::isfinite(feedback_stiffness) && feedback_stiffness >= 0,
-                ExcMessage(path + "/Feedback stiffness: the value is " +
-                           std::to_string(feedback_stiffness) + ". Give 0 or a positive number."));
-    AssertThrow(std::isfinite(feedback_damping) && feedback_damping >= 0,
-                ExcMessage(path + "/Feedback damping: the value is " +
-                           std::to_string(feedback_damping) + ". Give 0 or a positive number."));
+    check_not_negative(path + "/Cell volume stabilisation", cell_volume_stabilisation);
+    check_not_negative(path + "/Feedback stiffness", feedback_stiffness);
+    check_not_negative(path + "/Feedback damping", feedback_damping);
+    AssertThrow(dim == 3 || feedback_directions != "z",
+                ExcMessage(path + "/Feedback directions: the value is z, which is normal to the "
+                                  "plane of this body. Give x, y or xy."));
   }
 
   template <int dim>
@@ -49,7 +46,7 @@ namespace caudal
       , regions(regions)
   {
     for (unsigned int r = 0; r < regions.size(); ++r)
-      region_parameters.push_back(std::make_unique<RegionParameters>());
+      region_parameters.push_back(std::make_unique<RegionParameters<dim>>());
   }
 
   template <int dim>
@@ -79,23 +76,15 @@ namespace caudal
   template <int dim>
   void SolidParameters<dim>::check() const
   {
-    AssertThrow(std::isfinite(density) && density >= 0,
-                ExcMessage(get_path() + "/Density: the value is " + std::to_string(density) +
-                           " kg/m^3. Give a positive number, or 0 for the fluid's density."));
+    check_not_negative(get_path() + "/Density", density,
+                       "Give a positive density [kg/m^3], or 0 for the fluid's.");
     grid.check(get_path());
     for (unsigned int r = 0; r < regions.size(); ++r)
-    {
-      const std::string path = get_path() + "/Region " + regions[r];
-      region_parameters[r]->check(path);
-      AssertThrow(dim == 3 || region_parameters[r]->material.thin_direction != "z",
-                  ExcMessage(path + "/Thin direction: the value is z, which is normal to the "
-                                    "plane of this body. Give none, x or y."));
-      AssertThrow(dim == 3 || region_parameters[r]->feedback_directions != "z",
-                  ExcMessage(path + "/Feedback directions: the value is z, which is normal to the "
-                                    "plane of this body. Give x, y or xy."));
-    }
+      region_parameters[r]->check(get_region_path(r));
   }
 
+  template struct RegionParameters<2>;
+  template struct RegionParameters<3>;
   template struct SolidParameters<2>;
   template struct SolidParameters<3>;
 } // namespace caudal

@@ -1,40 +1,51 @@
 #include <caudal/base/expression.h>
-#include <caudal/solid/surface_load.h>
+#include <caudal/solid/load.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools_rhs.h>
 
-#include <cmath>
-
 namespace caudal
 {
-  template <int dim>
-  SurfaceLoad<dim>::SurfaceLoad(const SolidBody<dim> &body)
-      : body(body)
-      , path(body.get_parameters().get_path() + "/Traction")
+  namespace
   {
-    const std::string &expression = body.get_parameters().traction;
-    if (!expression.empty())
-      traction = make_expression<dim>(path, expression, dim);
-  }
+    template <int dim>
+    class SurfaceLoad : public Load<dim>
+    {
+    public:
+      explicit SurfaceLoad(const SolidBody<dim> &body)
+          : body(body)
+          , traction(
+                std::make_unique<Expression<dim>>(body.get_parameters().get_path() + "/Traction",
+                                                  body.get_parameters().traction, dim))
+      {}
+
+      LoadAccount get_account() const override
+      {
+        return LoadAccount::muscle;
+      }
+
+      void add(const BodyMotion &motion, Vector<double> &force, BodyResponse *) const override
+      {
+        traction->set_time(motion.time);
+        const DoFHandler<dim> &dofs = body.get_dof_handler();
+        Vector<double>         load(dofs.n_dofs());
+        VectorTools::create_boundary_right_hand_side(
+            dofs, QGauss<dim - 1>(dofs.get_fe().degree + 1), *traction, load);
+        force += load;
+      }
+
+    private:
+      const SolidBody<dim>                  &body;
+      const std::unique_ptr<Expression<dim>> traction;
+    };
+  } // namespace
 
   template <int dim>
-  void SurfaceLoad<dim>::add_to(Vector<double> &force, const double time) const
+  std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &body)
   {
-    if (!traction)
-      return;
-    traction->set_time(time);
-    const DoFHandler<dim> &dofs = body.get_dof_handler();
-    Vector<double>         load(dofs.n_dofs());
-    VectorTools::create_boundary_right_hand_side(dofs, QGauss<dim - 1>(dofs.get_fe().degree + 1),
-                                                 *traction, load);
-    AssertThrow(std::isfinite(load.l2_norm()),
-                ExcMessage(path + ": <" + body.get_parameters().traction +
-                           "> is not finite on the body's surface at t = " + std::to_string(time) +
-                           " s. Give a function that is defined there."));
-    force += load;
+    return std::make_unique<SurfaceLoad<dim>>(body);
   }
 
-  template class SurfaceLoad<2>;
-  template class SurfaceLoad<3>;
+  template std::unique_ptr<Load<2>> make_surface_load(const SolidBody<2> &);
+  template std::unique_ptr<Load<3>> make_surface_load(const SolidBody<3> &);
 } // namespace caudal

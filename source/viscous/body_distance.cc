@@ -1,30 +1,26 @@
 #include <caudal/viscous/body_distance.h>
 
-#include <deal.II/base/bounding_box.h>
-
 namespace caudal
 {
   namespace
   {
     template <int dim>
-    std::vector<Point<dim>> get_points(const SwimmingBody<dim> &body)
+    std::vector<Point<dim>> get_points(const Body<dim> &body, const BodyState &state)
     {
       std::vector<Point<dim>> points;
-      for (const auto &node : body.solid.get_nodes())
-      {
-        points.emplace_back();
-        for (unsigned int d = 0; d < dim; ++d)
-          points.back()[d] = body.new_positions[node[d]];
-      }
+      for (const auto &node : body.get_solid().get_nodes())
+        points.push_back(get_value(state.positions, node));
       return points;
     }
 
+    /** A sentence on two bodies if a point of each is closer to one of the other than @p smallest.
+     */
     template <int dim>
-    void check_pair(const SwimmingBody<dim> &one, const SwimmingBody<dim> &other,
+    void check_pair(const std::string &name, const std::vector<Point<dim>> &points,
+                    const std::string &other_name, const std::vector<Point<dim>> &others,
                     const double smallest)
     {
-      const std::vector<Point<dim>> points = get_points(one), others = get_points(other);
-      BoundingBox<dim>              reach(others);
+      BoundingBox<dim> reach(others);
       reach.extend(smallest);
       for (const Point<dim> &point : points)
         if (reach.point_inside(point))
@@ -33,10 +29,10 @@ namespace caudal
             if (point.distance_square(neighbour) >= smallest * smallest)
               continue;
             std::ostringstream text;
-            text << "Bodies " << one.get_name() << " and " << other.get_name() << " are "
+            text << "Bodies " << name << " and " << other_name << " are "
                  << point.distance(neighbour) << " m apart near (" << point << "), less than the "
                  << smallest << " m that grid and kernel resolve. Place them further apart (Body "
-                 << other.get_name()
+                 << other_name
                  << "/Shape/Position), steer them (Body/Controller) or refine the grid "
                     "(Domain/Levels).";
             AssertThrow(false, ExcBodiesMeet(text.str()));
@@ -45,22 +41,19 @@ namespace caudal
   } // namespace
 
   template <int dim>
-  void check_distances(const std::vector<std::unique_ptr<SwimmingBody<dim>>> &bodies,
-                       const CellLattice<dim>                                &lattice)
+  void check_distances(const Operators<dim> &operators, const std::vector<BodyState> &states)
   {
+    const auto  &lattice = operators.lattice;
     const double cell_size =
         lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
-    for (unsigned int i = 0; i < bodies.size(); ++i)
+    const double smallest = cell_size * std::max(1., 2 * operators.coupling.get_support());
+    for (unsigned int i = 0; i < states.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
-      {
-        const double support =
-            std::max(bodies[i]->interaction.get_support(), bodies[j]->interaction.get_support());
-        check_pair(*bodies[j], *bodies[i], cell_size * std::max(1., 2 * support));
-      }
+        check_pair(operators.bodies[j]->get_name(), get_points(*operators.bodies[j], states[j]),
+                   operators.bodies[i]->get_name(), get_points(*operators.bodies[i], states[i]),
+                   smallest);
   }
 
-  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<2>>> &,
-                                const CellLattice<2> &);
-  template void check_distances(const std::vector<std::unique_ptr<SwimmingBody<3>>> &,
-                                const CellLattice<3> &);
+  template void check_distances(const Operators<2> &, const std::vector<BodyState> &);
+  template void check_distances(const Operators<3> &, const std::vector<BodyState> &);
 } // namespace caudal

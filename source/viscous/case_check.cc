@@ -20,7 +20,7 @@ namespace caudal
     constexpr double largest_cfl = 7;
 
     // Bytes for a cell of the fluid in compressed .vtu files and in checkpoints, of prm/fish.prm.
-    constexpr double bytes_of_fields = 95, bytes_of_checkpoint = 400;
+    constexpr double bytes_of_fields = 95, bytes_of_checkpoint = 550;
     constexpr double mebibyte = 1024. * 1024.;
 
     // How the cost of a step grows with the number of cells.
@@ -37,66 +37,49 @@ namespace caudal
       return text.str();
     }
 
-    /** Frequency of the beat [Hz] if parameters alone decide on it; otherwise 0. */
-    template <int dim>
-    double get_beat_frequency(const SwimmingBodyParameters<dim> &parameters)
-    {
-      if (parameters.gait.type == "travelling wave")
-        return parameters.gait.frequency;
-      if (parameters.muscle.type == "travelling wave")
-        return parameters.muscle.travelling_wave.frequency;
-      return 0;
-    }
-
     /** The fastest of the elastic waves in the body [m/s]. */
     template <int dim>
     double get_wave_speed(const SolidParameters<dim> &solid, const double density)
     {
       double stiffness = 0;
-      for (const auto &region : solid.region_parameters)
+      for (unsigned int r = 0; r < solid.regions.size(); ++r)
       {
-        const MaterialParameters &material = region->material;
-        double modulus = region->cell_volume_stabilisation + material.volumetric_stabilisation;
-        if (material.material != "none")
-          modulus += 2 * material.get_shear_modulus();
-        if (material.material == "St. Venant-Kirchhoff")
-          modulus += material.get_lame_modulus();
-        stiffness = std::max(stiffness, modulus);
+        const RegionParameters<dim> &region = *solid.region_parameters[r];
+        stiffness =
+            std::max(stiffness, region.cell_volume_stabilisation +
+                                    region.material.get_wave_modulus(solid.get_region_path(r)));
       }
       return std::sqrt(stiffness / density);
     }
   } // namespace
 
   template <int dim>
-  CaseCheck<dim>::CaseCheck(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system)
-      : parameters(parameters)
-      , n_cells(system.space.get_triangulation().n_global_active_cells())
+  CaseCheck<dim>::CaseCheck(const Operators<dim> &operators, const unsigned int n_cells)
+      : parameters(operators.parameters)
+      , n_cells(n_cells)
       , cell_size(2 * parameters.domain.get_finest_spacing().norm() / std::sqrt(dim))
-      , kernel_width(system.bodies.empty()
-                         ? 0
-                         : 2 * cell_size * system.bodies.front()->interaction.get_support())
+      , kernel_width(2 * cell_size * operators.coupling.get_support())
   {
-    for (const auto &body : system.bodies)
+    for (const auto &body : operators.bodies)
       bodies.push_back(describe_body(*body));
   }
 
   template <int dim>
-  typename CaseCheck<dim>::Body
-  CaseCheck<dim>::describe_body(const SwimmingBody<dim> &swimmer) const
+  typename CaseCheck<dim>::BodyOnGrid CaseCheck<dim>::describe_body(const Body<dim> &swimmer) const
   {
-    const SolidBody<dim> &solid   = swimmer.solid;
+    const SolidBody<dim> &solid   = swimmer.get_solid();
     const double          density = parameters.fluid.density + solid.get_excess_density();
     const double volume = solid.get_reference_volume() / solid.get_triangulation().n_active_cells();
 
-    Body body;
+    BodyOnGrid body;
     body.path      = "Body " + swimmer.get_name();
     body.regions   = solid.get_parameters().regions;
-    body.swims     = swimmer.swims() && swimmer.get_parameters().muscle.type != "fibres";
+    body.swims     = swimmer.swims() && swimmer.counts_from_nose();
     body.length    = swimmer.get_length();
     body.thickness = compute_extent(solid.get_triangulation()).region_thickness;
     body.spacing_ratio =
         std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree / cell_size;
-    body.beat_frequency = get_beat_frequency(swimmer.get_parameters());
+    body.beat_frequency = swimmer.get_beat_frequency();
     body.wave_speed     = get_wave_speed(solid.get_parameters(), density);
     for (const auto &region : solid.get_parameters().region_parameters)
       body.spring_frequency =
@@ -106,7 +89,7 @@ namespace caudal
   }
 
   template <int dim>
-  void CaseCheck<dim>::measure_room(const SolidBody<dim> &solid, Body &body) const
+  void CaseCheck<dim>::measure_room(const SolidBody<dim> &solid, BodyOnGrid &body) const
   {
     const Point<dim>     lower   = parameters.domain.lower_corner;
     const Point<dim>     upper   = lower + parameters.domain.size;
@@ -115,8 +98,9 @@ namespace caudal
     for (const auto &node : solid.get_nodes())
       for (unsigned int d = 0; d < dim; ++d)
       {
-        const double x = solid.positions[node[d]], below = x - lower[d], above = upper[d] - x;
-        body.nearest_side = std::min({body.nearest_side, below, above});
+        const double x = solid.get_initial_positions()[node[d]], below = x - lower[d],
+                     above = upper[d] - x;
+        body.nearest_side  = std::min({body.nearest_side, below, above});
         if (std::abs(forward[d]) > 1e-6)
           body.room_ahead =
               std::min(body.room_ahead, (forward[d] > 0 ? above : below) / std::abs(forward[d]));
@@ -128,7 +112,7 @@ namespace caudal
   {
     // The spacing over the speed of the elastic waves, and the springs' stability limit.
     double limit = std::numeric_limits<double>::infinity();
-    for (const Body &body : bodies)
+    for (const BodyOnGrid &body : bodies)
     {
       if (body.wave_speed > 0)
         limit = std::min(limit, 0.5 * cell_size / body.wave_speed);
@@ -141,7 +125,7 @@ namespace caudal
   template <int dim>
   void CaseCheck<dim>::print_resolution(std::ostream &out) const
   {
-    for (const Body &body : bodies)
+    for (const BodyOnGrid &body : bodies)
     {
       out << body.path << ": its nodes are " << print(body.spacing_ratio)
           << " of the fluid's finest cells apart; thickness of";
@@ -193,82 +177,85 @@ namespace caudal
   }
 
   template <int dim>
-  std::vector<std::string> CaseCheck<dim>::find_doubts() const
+  std::vector<std::string> CaseCheck<dim>::find_warnings() const
   {
-    std::vector<std::string> doubts;
-    add_thickness_doubts(doubts);
-    add_domain_doubts(doubts);
-    add_wake_doubts(doubts);
-    return doubts;
+    std::vector<std::string> warnings;
+    add_thickness_warnings(warnings);
+    add_domain_warnings(warnings);
+    add_wake_warnings(warnings);
+    return warnings;
   }
 
   template <int dim>
-  void CaseCheck<dim>::add_thickness_doubts(std::vector<std::string> &doubts) const
+  void CaseCheck<dim>::add_thickness_warnings(std::vector<std::string> &warnings) const
   {
-    for (const Body &body : bodies)
+    for (const BodyOnGrid &body : bodies)
     {
       for (unsigned int r = 0; r < body.regions.size(); ++r)
       {
         const std::string region = body.path + ": region " + body.regions[r] + " is " +
                                    print(body.thickness[r]) + " m thick at its thinnest, ";
         if (body.thickness[r] < kernel_width)
-          doubts.push_back(region + "less than the width " + print(kernel_width) +
-                           " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
-                           "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).");
+          warnings.push_back(
+              region + "less than the width " + print(kernel_width) +
+              " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
+              "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).");
         else if (body.thickness[r] < least_thickness * cell_size)
-          doubts.push_back(region + "less than " + print(least_thickness) +
-                           " cells of the fluid: the flow round it is not resolved there. Use a "
-                           "finer grid (Domain/Levels), or compare with one to see what it costs.");
+          warnings.push_back(
+              region + "less than " + print(least_thickness) +
+              " cells of the fluid: the flow round it is not resolved there. Use a "
+              "finer grid (Domain/Levels), or compare with one to see what it costs.");
       }
       if (body.spacing_ratio > coarsest_ratio)
-        doubts.push_back(
+        warnings.push_back(
             body.path + "/Shape/Elements: the body's nodes are " + print(body.spacing_ratio) +
             " of the fluid's finest cells apart: fluid may leak through it. Give more.");
       if (body.spacing_ratio < finest_ratio)
-        doubts.push_back(body.path + "/Shape/Elements: the body's nodes are " +
-                         print(body.spacing_ratio) +
-                         " of the fluid's finest cells apart: more motions than the fluid has make "
-                         "the body thicker. Give fewer.");
+        warnings.push_back(
+            body.path + "/Shape/Elements: the body's nodes are " + print(body.spacing_ratio) +
+            " of the fluid's finest cells apart: more motions than the fluid has make "
+            "the body thicker. Give fewer.");
     }
   }
 
   template <int dim>
-  void CaseCheck<dim>::add_domain_doubts(std::vector<std::string> &doubts) const
+  void CaseCheck<dim>::add_domain_warnings(std::vector<std::string> &warnings) const
   {
-    for (const Body &body : bodies)
+    for (const BodyOnGrid &body : bodies)
     {
       if (!body.swims)
         continue;
       if (body.nearest_side < body.length)
-        doubts.push_back(body.path + "/Shape/Position: a side of the domain is " +
-                         print(body.nearest_side) + " m away, less than a body length (" +
-                         print(body.length) +
-                         " m): the body feels it. Move the body or change Domain/Size.");
+        warnings.push_back(body.path + "/Shape/Position: a side of the domain is " +
+                           print(body.nearest_side) + " m away, less than a body length (" +
+                           print(body.length) +
+                           " m): the body feels it. Move the body or change Domain/Size.");
       const double distance =
           lengths_per_beat * body.length * body.beat_frequency * parameters.time.end_time;
       if (distance > body.room_ahead)
-        doubts.push_back("Time/End time: at " + print(lengths_per_beat) + " lengths a beat " +
-                         body.path + " swims " + print(distance) + " m, and there are " +
-                         print(body.room_ahead) +
-                         " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
+        warnings.push_back("Time/End time: at " + print(lengths_per_beat) + " lengths a beat " +
+                           body.path + " swims " + print(distance) + " m, and there are " +
+                           print(body.room_ahead) +
+                           " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
       if (body.beat_frequency * parameters.time.step > 0.02)
-        doubts.push_back("Time/Step: " + print(parameters.time.step) +
-                         " s are less than 50 steps a beat of " + body.path +
-                         ". Give a smaller step.");
+        warnings.push_back("Time/Step: " + print(parameters.time.step) +
+                           " s are less than 50 steps a beat of " + body.path +
+                           ". Give a smaller step.");
     }
   }
 
   template <int dim>
-  void CaseCheck<dim>::add_wake_doubts(std::vector<std::string> &doubts) const
+  void CaseCheck<dim>::add_wake_warnings(std::vector<std::string> &warnings) const
   {
     const RefinementParameters &refinement = parameters.refinement;
-    if (std::none_of(bodies.begin(), bodies.end(), [](const Body &body) { return body.swims; }))
+    if (std::none_of(bodies.begin(), bodies.end(),
+                     [](const BodyOnGrid &body) { return body.swims; }))
       return;
     if (refinement.vorticity_threshold == 0)
-      doubts.push_back("Refinement/Vorticity threshold is 0: the grid does not follow the wake. "
-                       "Give a threshold, such as a tenth of the speed.");
+      warnings.push_back("Refinement/Vorticity threshold is 0: the grid does not follow the wake. "
+                         "Give a threshold, such as a tenth of the speed.");
     else if (n_cells > 0.95 * refinement.largest_number_of_cells)
-      doubts.push_back(
+      warnings.push_back(
           "Refinement/Largest number of cells: there are " +
           std::to_string(static_cast<unsigned int>(n_cells)) +
           " at the start already, so that none are left for the wake. Give more than " +

@@ -1,149 +1,181 @@
-#include <caudal/viscous/time_scheme.h>
+#include <caudal/viscous/step_parts.h>
 
 namespace caudal
 {
   namespace
   {
     /**
-     * The scheme of the paper (doi:10.1155/2014/489683, section 3.4; Griffith &
-     * Luo 2017, doi:10.1002/cnm.2888): body forces at the midpoint that the
-     * velocity of t^n leads to, Crank-Nicolson viscosity, Adams-Bashforth
-     * convection. The first step has two stages, the second of which takes the
-     * midpoint of the first.
+     * The explicit scheme of doi:10.1155/2014/489683, section 3.4 (see also Griffith & Luo 2017,
+     * doi:10.1002/cnm.2888): body forces at the midpoint that the velocity of t^n leads to,
+     * Crank-Nicolson viscosity, Adams-Bashforth convection. The first step has two stages, the
+     * second of which takes the midpoint of the first.
      */
     template <int dim>
     class ExplicitScheme : public TimeScheme<dim>
     {
     public:
-      explicit ExplicitScheme(const ImmersedSystem<dim> &system)
-          : TimeScheme<dim>(system)
-      {}
-
-      StepResult<dim> advance(const TimeStepper &stepper) override
+      void advance(const Operators<dim> &operators, const State<dim> &state, const double dt,
+                   Step<dim> &step) const override
       {
-        const double step = stepper.get_step();
-        for (const auto &body : system.bodies)
-        {
-          body->prepare_step(stepper.get_time(), step);
-          body->new_positions = body->solid.positions;
-          body->new_positions.add(step, body->solid.velocity);
-          body->solid.restore_fixed_nodes(body->new_positions);
-        }
-        const std::vector<Vector<double>> predicted = get_positions();
+        recall_factorisation(operators, state.solver);
+        const bool is_first = state.time.get_previous_step() == 0;
+        const auto point    = std::make_shared<const Linearisation>(linearise(operators, dt));
 
-        const bool   is_first   = stepper.get_previous_step() == 0;
-        unsigned int iterations = 0;
-        FieldVector  convecting = system.fluid.velocity;
-        convecting.update_ghost_values(); // which a copy does not have
+        std::vector<Vector<double>>           predicted;
+        std::vector<InteractionOperator<dim>> interactions;
+        std::vector<BodyForces>               forces;
+        for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+        {
+          step.state.bodies.push_back(predict_body(operators, state, b, dt));
+          predicted.push_back(step.state.bodies[b].positions);
+        }
+        FieldVector convecting = state.fluid.velocity;
+        convecting.update_ghost_values(); // which a copy may not have
         for (unsigned int stage = 0; stage < (is_first ? 2 : 1); ++stage)
         {
-          for (const auto &body : system.bodies)
-            compute_body_force(*body, stepper.get_time() + 0.5 * step);
-          iterations += advance_fluid(stepper, convecting);
-          for (const auto &body : system.bodies)
-            move_body(*body, step);
-          convecting = new_velocity;
-          convecting += system.fluid.velocity;
+          interactions.clear();
+          forces.clear();
+          for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+          {
+            const Vector<double> middle =
+                get_mean(state.bodies[b].positions, step.state.bodies[b].positions);
+            const double time = state.time.get_time() + 0.5 * dt;
+            interactions.push_back(operators.compute_interaction(b, middle, time + 0.5 * dt));
+            TimerOutput::Scope timer_section(operators.timer, "assemble body");
+            forces.push_back(operators.bodies[b]->compute_forces(
+                {middle, state.bodies[b].velocity, time, dt, step.state.bodies[b].contraction}));
+            step.state.bodies[b].force_density =
+                compute_force_density(*operators.bodies[b], forces[b]);
+          }
+          const FluidSolution solution =
+              advance_fluid(operators, state, dt, convecting, interactions, point, step.state);
+          step.report.iterations += solution.n_iterations;
+          step.state.fluid = {solution.velocity, state.fluid.velocity, solution.pressure};
+          step.state.fluid.update_ghost_values();
+          for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+            move_body(*operators.bodies[b], state, b, interactions[b], dt, step.state);
+          convecting = step.state.fluid.velocity;
+          convecting += state.fluid.velocity;
           convecting *= 0.5;
           convecting.update_ghost_values();
         }
-        return this->check_trial_state(iterations, step, predicted);
+
+        for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+        {
+          step.report.bodies.emplace_back();
+          step.report.bodies[b].muscle_power = account_work(*operators.bodies[b], state.bodies[b],
+                                                            forces[b], dt, step.state.bodies[b]);
+        }
+        check_step(operators, state, step.state, predicted, interactions, dt, step.report);
+        step.report.rate = 1 / dt;
+        step.state.time.accept(dt, step.report.indicators);
       }
 
     private:
-      using TimeScheme<dim>::system;
-      using TimeScheme<dim>::new_velocity;
-      using TimeScheme<dim>::new_pressure;
-
-      std::vector<Vector<double>> get_positions() const
+      static Linearisation linearise(const Operators<dim> &operators, const double dt)
       {
-        std::vector<Vector<double>> positions;
-        for (const auto &body : system.bodies)
-          positions.push_back(body->new_positions);
-        return positions;
+        const auto   &parameters = operators.parameters.fluid;
+        Linearisation point;
+        point.weights.inertia      = parameters.density / dt;
+        point.weights.viscosity    = 0.5 * parameters.get_viscosity();
+        point.weights.grad_div     = 0.5 * parameters.density * parameters.grad_div;
+        point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
+        return point;
       }
 
-      /** Phi = M_s^-1 b(X^{n+1/2}), X^{n+1/2} being the mean of old and new positions. */
-      void compute_body_force(SwimmingBody<dim> &body, const double time)
+      /** X^n + dt U^n, and what its muscle decides. */
+      static BodyState predict_body(const Operators<dim> &operators, const State<dim> &state,
+                                    const unsigned int b, const double dt)
       {
-        Vector<double> middle(body.solid.positions);
-        middle += body.new_positions;
-        middle *= 0.5;
-        this->update_interaction(body, middle);
-        TimerOutput::Scope timer_section(system.timer, "assemble body");
-        body.assemble_forces(middle, time, false);
-        body.new_feedback_force = body.compute_feedback_force(middle, body.solid.velocity);
-        body.new_force_density  = body.new_feedback_force;
-        body.new_force_density += body.elastic_system.elastic_force;
-        body.new_force_density += body.elastic_system.active_force;
-        body.solid.apply_inverse_mass(body.new_force_density);
+        const Body<dim> &body   = *operators.bodies[b];
+        const BodyState &before = state.bodies[b];
+        BodyState        next   = before;
+        next.contraction        = body.command_muscle(before, state.time.get_time(), dt);
+        next.old_positions      = before.positions;
+        next.old_velocity       = before.velocity;
+        next.positions.add(dt, before.velocity);
+        body.get_solid().restore_fixed_nodes(next.positions);
+        return next;
       }
 
-      unsigned int advance_fluid(const TimeStepper &stepper, const FieldVector &convecting)
+      static Vector<double> get_mean(const Vector<double> &a, const Vector<double> &b)
       {
-        const auto  &parameters = system.space.get_parameters();
-        const double step       = stepper.get_step();
-        system.space.set_boundary_values(stepper.get_next_time());
-        copy_with_layout(system.fluid.velocity, new_velocity);
-        system.space.constraints.distribute(new_velocity);
-        copy_with_layout(system.fluid.pressure, new_pressure);
-        FieldVector history = system.fluid.velocity;
-        history *= -parameters.density / step;
-        for (const FieldVector *field : {&new_velocity, &new_pressure, &history})
+        Vector<double> mean(a);
+        mean += b;
+        mean *= 0.5;
+        return mean;
+      }
+
+      /** Phi = M_s^-1 b */
+      static Vector<double> compute_force_density(const Body<dim> &body, const BodyForces &forces)
+      {
+        Vector<double> density(body.get_solid().n_dofs());
+        for (const auto &account : forces)
+          density += account.second;
+        body.get_solid().apply_inverse_mass(density);
+        return density;
+      }
+
+      /** The fluid at the end of the step, under the forces of the bodies of @p next. */
+      static FluidSolution advance_fluid(const Operators<dim> &operators, const State<dim> &state,
+                                         const double dt, const FieldVector &convecting,
+                                         const std::vector<InteractionOperator<dim>> &interactions,
+                                         const std::shared_ptr<const Linearisation>  &point,
+                                         State<dim>                                  &next)
+      {
+        const FluidState<dim> &fluid = state.fluid;
+        FluidGuess             guess{fluid.velocity, fluid.pressure};
+        operators.space.get_constraints(state.time.get_time() + dt).distribute(guess.velocity);
+        FieldVector history = fluid.velocity;
+        history *= -operators.parameters.fluid.density / dt;
+        for (const FieldVector *field : {&guess.velocity, &guess.pressure, &history})
           field->update_ghost_values();
 
-        MomentumStep momentum_step;
-        momentum_step.weights.inertia      = parameters.density / step;
-        momentum_step.weights.viscosity    = 0.5 * parameters.get_viscosity();
-        momentum_step.weights.grad_div     = 0.5 * parameters.density * parameters.grad_div;
-        momentum_step.old_weights          = momentum_step.weights;
-        momentum_step.old_weights.inertia  = 0;
-        momentum_step.weights.augmentation = this->get_augmentation(momentum_step.weights.inertia);
-        momentum_step.inertia_history      = &history;
-        momentum_step.old_velocity         = &system.fluid.velocity;
-        momentum_step.time                 = stepper.get_time() + 0.5 * step;
-        if (stepper.get_previous_step() == 0)
-          momentum_step.old_convection = {{&convecting, 1.}};
+        MomentumStep momentum;
+        momentum.weights             = point->weights;
+        momentum.old_weights         = point->weights;
+        momentum.old_weights.inertia = momentum.old_weights.augmentation = 0;
+        momentum.inertia_history                                         = &history;
+        momentum.old_velocity                                            = &fluid.velocity;
+        momentum.time = state.time.get_time() + 0.5 * dt;
+        if (state.time.get_previous_step() == 0)
+          momentum.old_convection = {{&convecting, 1.}};
         else
         {
-          const double ratio           = 0.5 * step / stepper.get_previous_step();
-          momentum_step.old_convection = {{&system.fluid.velocity, 1 + ratio},
-                                          {&system.fluid.old_velocity, -ratio}};
+          const double ratio      = 0.5 * dt / state.time.get_previous_step();
+          momentum.old_convection = {{&fluid.velocity, 1 + ratio}, {&fluid.old_velocity, -ratio}};
         }
 
-        FieldVector residual = system.space.make_velocity_vector();
-        bool        matrix_changed;
+        std::vector<Vector<double>> force_densities;
+        for (const BodyState &body : next.bodies)
+          force_densities.push_back(body.force_density);
+        CoupledUnknowns residual;
         {
-          TimerOutput::Scope timer_section(system.timer, "assemble fluid");
-          matrix_changed =
-              system.momentum.assemble(momentum_step, new_velocity, new_pressure, residual);
+          TimerOutput::Scope timer_section(operators.timer, "assemble fluid");
+          residual.velocity = operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
         }
-        for (const auto &body : system.bodies)
-          body->interaction.spread(body->new_force_density, residual);
-        return this->solve(residual, {}, momentum_step.weights, matrix_changed);
+        const double force_scale =
+            apply_bodies_to_fluid(interactions, force_densities, residual.velocity);
+        return solve_and_correct(operators, guess, std::move(residual), {}, point, force_scale,
+                                 next.solver);
       }
 
       /** X^{n+1} = X^n + dt M_s^-1 G (u^n + u^{n+1})/2 */
-      void move_body(SwimmingBody<dim> &body, const double step)
+      static void move_body(const Body<dim> &body, const State<dim> &state, const unsigned int b,
+                            const InteractionOperator<dim> &interaction, const double dt,
+                            State<dim> &next)
       {
-        body.interaction.interpolate(new_velocity, body.new_velocity);
-        body.solid.apply_inverse_mass(body.new_velocity);
-        Vector<double> old_velocity(body.solid.n_dofs());
-        body.interaction.interpolate(system.fluid.velocity, old_velocity);
-        body.solid.apply_inverse_mass(old_velocity);
-        body.new_positions = body.solid.positions;
-        body.new_positions.add(0.5 * step, old_velocity, 0.5 * step, body.new_velocity);
-        body.solid.restore_fixed_nodes(body.new_positions);
+        next.bodies[b].velocity  = follow_fluid(body, interaction, next.fluid.velocity);
+        next.bodies[b].positions = state.bodies[b].positions;
+        next.bodies[b].positions.add(0.5 * dt,
+                                     follow_fluid(body, interaction, state.fluid.velocity),
+                                     0.5 * dt, next.bodies[b].velocity);
+        body.get_solid().restore_fixed_nodes(next.bodies[b].positions);
       }
     };
+
+    const DimensionalRegistration<TimeScheme, ExplicitScheme>
+        registration("explicit",
+                     "midpoint body forces, Crank-Nicolson viscosity, Adams-Bashforth convection");
   } // namespace
-
-  template <int dim>
-  std::unique_ptr<TimeScheme<dim>> create_explicit_scheme(const ImmersedSystem<dim> &system)
-  {
-    return std::make_unique<ExplicitScheme<dim>>(system);
-  }
-
-  template std::unique_ptr<TimeScheme<2>> create_explicit_scheme(const ImmersedSystem<2> &);
-  template std::unique_ptr<TimeScheme<3>> create_explicit_scheme(const ImmersedSystem<3> &);
 } // namespace caudal

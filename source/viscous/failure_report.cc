@@ -22,25 +22,19 @@ namespace caudal
     template <int dim>
     Extreme<dim> find_smallest_jacobian(const SolidBody<dim> &solid, const Vector<double> &x)
     {
-      const auto                          &data    = solid.get_quadrature_data();
-      const auto                          &element = solid.get_dof_handler().get_fe();
-      std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-      Extreme<dim>                         smallest;
+      const auto  &data = solid.get_quadrature_data();
+      Extreme<dim> smallest;
       smallest.value = std::numeric_limits<double>::max();
       for (const auto &cell : solid.get_dof_handler().active_cell_iterators())
       {
-        cell->get_dof_indices(dofs);
+        const auto nodes = get_cell_nodes<dim>(cell, x);
+        Point<dim> mean;
+        for (const Point<dim> &node : nodes)
+          mean += node / static_cast<double>(nodes.size());
         for (unsigned int q = 0; q < data.n_q; ++q)
         {
-          Tensor<2, dim> F;
-          Point<dim>     mean;
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const auto [d, a] = element.system_to_component_index(i);
-            F[d] += x[dofs[i]] * data.shape_gradients[cell->active_cell_index() * data.n_q + q][a];
-            mean[d] += x[dofs[i]] * dim / dofs.size();
-          }
-          const double J = determinant(F);
+          const double J = determinant(compute_deformation_gradient(
+              nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]));
           if (!(J >= smallest.value))
             smallest = {J, cell->active_cell_index(), mean};
         }
@@ -51,27 +45,24 @@ namespace caudal
     template <int dim>
     Extreme<dim> find_fastest_flow(const FluidSpace<dim> &space, const FieldVector &velocity)
     {
-      const FESystem<dim>                 &element = space.velocity_element;
-      std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-      Extreme<dim>                         fastest;
+      Vector<double> values(space.velocity_element.n_dofs_per_cell());
+      Extreme<dim>   fastest;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
-          cell->get_dof_indices(dofs);
-          std::vector<Tensor<1, dim>> nodes(dofs.size() / dim);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
+          cell->get_dof_values(velocity, values);
+          std::vector<Tensor<1, dim>> nodes(values.size() / dim);
+          for (unsigned int i = 0; i < values.size(); ++i)
           {
-            const auto [d, a] = element.system_to_component_index(i);
-            nodes[a][d]       = velocity(dofs[i]);
+            const auto [d, a] = space.velocity_element.system_to_component_index(i);
+            nodes[a][d]       = values[i];
           }
           for (const Tensor<1, dim> &u : nodes)
             if (u.norm() > fastest.value)
               fastest = {u.norm(), 0, cell->center()};
         }
-      const MPI_Comm communicator = space.get_communicator();
-      const auto     all =
-          Utilities::MPI::all_gather(communicator, std::make_pair(fastest.value, fastest.place));
-      for (const auto &[value, place] : all)
+      for (const auto &[value, place] : Utilities::MPI::all_gather(
+               space.get_communicator(), std::make_pair(fastest.value, fastest.place)))
         if (value > fastest.value)
           fastest = {value, 0, place};
       return fastest;
@@ -79,15 +70,14 @@ namespace caudal
 
     /** The node of the body that is nearest to a side. */
     template <int dim>
-    Extreme<dim> find_nearest_to_side(const SolidBody<dim> &solid, const BoundingBox<dim> &domain)
+    Extreme<dim> find_nearest_to_side(const SolidBody<dim> &solid, const Vector<double> &x,
+                                      const BoundingBox<dim> &domain)
     {
       Extreme<dim> nearest;
       nearest.value = std::numeric_limits<double>::max();
       for (const auto &node : solid.get_nodes())
       {
-        Point<dim> point;
-        for (unsigned int d = 0; d < dim; ++d)
-          point[d] = solid.positions[node[d]];
+        const Point<dim> point = get_value(x, node);
         for (unsigned int d = 0; d < dim; ++d)
           for (const double distance :
                {point[d] - domain.lower_bound(d), domain.upper_bound(d) - point[d]})
@@ -97,48 +87,50 @@ namespace caudal
       return nearest;
     }
 
-    std::string get_advice(const FailureKind kind)
+    std::string get_advice(const StepFailure::Kind kind)
     {
       switch (kind)
       {
-      case FailureKind::no_convergence:
+      case StepFailure::Kind::no_convergence:
         return "Likely the forces on a body change too much within a step, or the tolerance is "
                "below the round-off: reduce Time/Step (or set Time/Adaptive), soften the feedback "
                "springs, or increase Solver/Tolerance or Solver/Largest number of iterations.";
-      case FailureKind::inverted_element:
+      case StepFailure::Kind::inverted_element:
         return "Likely the body is pushed together there faster than the step or its elements "
                "resolve: reduce Time/Step, the force of the muscle, or increase Body/Region/"
                "Volumetric stabilisation; a finer fluid grid (Domain/Levels) keeps volumes better.";
-      case FailureKind::not_finite:
+      case StepFailure::Kind::not_finite:
         return "Likely the flow or a force grew without bound: reduce Time/Step, look at the "
                "forces and at the inflow that the parameters prescribe, and at the last rows of "
                "statistics.txt.";
-      case FailureKind::other:
-        break;
       }
       return "";
     }
   } // namespace
 
   template <int dim>
-  std::string describe_failure(const FailureKind kind, const ImmersedSystem<dim> &system,
-                               const BoundingBox<dim> &domain)
+  std::string describe_failure(const StepFailure &failure, const Operators<dim> &operators,
+                               const State<dim> &state)
   {
     std::ostringstream text;
-    text << get_advice(kind) << (kind == FailureKind::other ? "" : " ") << "Where to look:";
-    const Extreme<dim> flow = find_fastest_flow(system.space, system.fluid.velocity);
-    text << " the fastest flow of the last good state, " << flow.value
-         << " m/s, is in the cell at (" << flow.place << ") m";
-    for (const auto &body : system.bodies)
+    const Extreme<dim> flow = find_fastest_flow(operators.space, state.fluid.velocity);
+    text << get_advice(failure.kind) << " Where to look: the fastest flow of the last good state, "
+         << flow.value << " m/s, is in the cell at (" << flow.place << ") m";
+    for (unsigned int b = 0; b < operators.bodies.size(); ++b)
     {
-      const Extreme<dim> before  = find_smallest_jacobian(body->solid, body->solid.positions);
-      const Extreme<dim> trial   = find_smallest_jacobian(body->solid, body->new_positions);
-      const Extreme<dim> nearest = find_nearest_to_side(body->solid, domain);
-      text << "; body " << body->get_name() << " has its smallest J, " << before.value
+      const SolidBody<dim> &solid   = operators.bodies[b]->get_solid();
+      const Vector<double> &x       = state.bodies[b].positions;
+      const Extreme<dim>    before  = find_smallest_jacobian(solid, x);
+      const Extreme<dim>    nearest = find_nearest_to_side(solid, x, operators.get_domain());
+      text << "; body " << solid.get_name() << " has its smallest J, " << before.value
            << ", in element " << before.cell << " at (" << before.place << ") m";
-      if (!(std::abs(trial.value - before.value) < 1e-3))
-        text << ", in the failed step " << trial.value << " in element " << trial.cell << " at ("
-             << trial.place << ") m";
+      if (b < failure.trial_bodies.size())
+      {
+        const auto trial = find_smallest_jacobian(solid, failure.trial_bodies[b].positions);
+        if (!(std::abs(trial.value - before.value) < 1e-3))
+          text << ", in the failed step " << trial.value << " in element " << trial.cell << " at ("
+               << trial.place << ") m";
+      }
       text << ", and is nearest to a side at (" << nearest.place << ") m, " << nearest.value
            << " m from it";
     }
@@ -146,8 +138,8 @@ namespace caudal
     return text.str();
   }
 
-  template std::string describe_failure(FailureKind, const ImmersedSystem<2> &,
-                                        const BoundingBox<2> &);
-  template std::string describe_failure(FailureKind, const ImmersedSystem<3> &,
-                                        const BoundingBox<3> &);
+  template std::string describe_failure(const StepFailure &, const Operators<2> &,
+                                        const State<2> &);
+  template std::string describe_failure(const StepFailure &, const Operators<3> &,
+                                        const State<3> &);
 } // namespace caudal

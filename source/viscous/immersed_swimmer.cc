@@ -1,184 +1,143 @@
 #include <caudal/viscous/immersed_swimmer.h>
 
+#include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/io/progress.h>
+#include <caudal/observe/tail_beats.h>
+#include <caudal/viscous/adaptation.h>
 #include <caudal/viscous/body_distance.h>
-#include <caudal/viscous/control_volume_force.h>
+#include <caudal/viscous/failure_report.h>
 
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <iomanip>
 
 namespace caudal
 {
+  namespace
+  {
+    // The part of a checkpoint that holds the reports.
+    const std::string output_part = "energies, tail beats or counters of the output";
+
+    template <int dim>
+    std::string print_place(const Point<dim> &point)
+    {
+      std::ostringstream text;
+      text << "(" << point << ")";
+      return text.str();
+    }
+  } // namespace
+
   template <int dim>
   ImmersedSwimmer<dim>::ImmersedSwimmer(const RunParameters<dim> &parameters, MPI_Comm communicator)
       : parameters(parameters)
       , communicator(communicator)
-      , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-      , triangulation(communicator)
-      , lattice(parameters.domain)
-      , space(triangulation, parameters.domain, parameters.fluid)
-      , momentum(space)
-      , coupled_system(parameters.solver, space, momentum, timer)
-      , system{space,   momentum,     coupled_system,    fluid, bodies,
-               lattice, finest_cells, parameters.solver, timer}
-      , adaptation(triangulation, space, parameters.refinement, system)
-      , scheme(parameters.time.is_explicit() ? create_explicit_scheme<dim>(system)
-                                             : create_semi_implicit_scheme<dim>(system))
-      , checkpoints(parameters, triangulation, space, adaptation, system)
-      , guards(parameters.guards, system)
+      , operators(parameters, communicator)
+      , state{TimeStepper(parameters.time), {}, {}, {}}
+      , observers(parameters.observers)
+      , writer(parameters.checkpoint, communicator)
   {
-    make_domain(triangulation, parameters.domain);
-    AssertThrow(
-        triangulation.n_global_active_cells() >= Utilities::MPI::n_mpi_processes(communicator),
-        ExcMessage("Domain/Cells: there are " +
-                   std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
-                   " ranks, but only " + std::to_string(triangulation.n_global_active_cells()) +
-                   " coarse cells. Run on fewer ranks or give more cells."));
-    for (const auto &body : parameters.bodies)
-      bodies.push_back(std::make_unique<SwimmingBody<dim>>(*body, parameters.coupling,
-                                                           parameters.fluid.density, communicator));
-    check_probes();
-    check_bodies();
-    adaptation.make_initial_grid();
-    start_bodies();
-    check_control_volume();
+    report.bodies.resize(operators.bodies.size());
   }
 
   template <int dim>
-  BoundingBox<dim> ImmersedSwimmer<dim>::get_domain() const
+  void ImmersedSwimmer<dim>::start()
   {
-    const Point<dim> &lower = parameters.domain.lower_corner;
-    const Point<dim>  upper = lower + parameters.domain.size;
-    return BoundingBox<dim>({lower, upper});
+    check_places();
+    state       = make_initial_state(operators);
+    report.flow = summarise_flow(operators.space, state.fluid.velocity);
+    for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+      report.bodies[b].deformation =
+          summarise_deformation(operators.bodies[b]->get_solid(), state.bodies[b].positions);
+    observers.check_case(observe());
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::check_probes() const
+  void ImmersedSwimmer<dim>::resume_from(Checkpoint checkpoint)
   {
-    for (const Point<dim> &probe : parameters.fluid.probes)
+    state   = restore(checkpoint, operators);
+    resumed = std::move(checkpoint);
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::check_places() const
+  {
+    const BoundingBox<dim> domain = operators.get_domain();
+    std::vector<BodyState> states;
+    for (const auto &body : operators.bodies)
     {
-      std::ostringstream place;
-      place << "(" << probe << ")";
-      AssertThrow(get_domain().point_inside(probe),
-                  ExcMessage("Fluid/Probes: the point " + place.str() +
-                             " is outside of the domain. Move it, or change Domain/Size."));
-    }
-  }
-
-  template <int dim>
-  void ImmersedSwimmer<dim>::check_bodies() const
-  {
-    const BoundingBox<dim> domain = get_domain();
-    for (const auto &body : bodies)
-      for (const auto &node : body->solid.get_nodes())
+      states.push_back(body->make_initial_state());
+      for (const auto &node : body->get_solid().get_nodes())
       {
-        Point<dim> point;
-        for (unsigned int d = 0; d < dim; ++d)
-          point[d] = body->solid.positions[node[d]];
-        std::ostringstream place;
-        place << "(" << point << ")";
+        const Point<dim> point = get_value(states.back().positions, node);
         AssertThrow(domain.point_inside(point),
                     ExcMessage("Body " + body->get_name() +
-                               "/Shape/Position: the body reaches the point " + place.str() +
+                               "/Shape/Position: the body reaches the point " + print_place(point) +
                                ", which is outside of the domain. Move the body, or "
                                "change Domain/Size."));
-        for (const auto &other : bodies)
-          if (other != body)
-          {
-            AssertThrow(!other->solid.contains_at_start(point),
-                        ExcMessage("Body " + body->get_name() +
-                                   "/Shape/Position: the body overlaps "
-                                   "with body " +
-                                   other->get_name() + " at " + place.str() +
-                                   ". Place them apart."));
-          }
+        for (const auto &other : operators.bodies)
+          AssertThrow(other == body || !other->get_solid().contains_at_start(point),
+                      ExcMessage("Body " + body->get_name() +
+                                 "/Shape/Position: the body overlaps "
+                                 "with body " +
+                                 other->get_name() + " at " + print_place(point) +
+                                 ". Place them apart."));
       }
-    check_distances(bodies, lattice);
-  }
-
-  template <int dim>
-  void ImmersedSwimmer<dim>::check_control_volume() const
-  {
-    const auto &corners = parameters.fluid.control_volume;
-    AssertThrow(corners.empty() ||
-                    ControlVolumeForce<dim>(system, BoundingBox<dim>({corners[0], corners[1]}))
-                        .has_all_bodies(),
-                ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
-                           "hold all bodies with their kernels. Give a larger one."));
-  }
-
-  /** In an initial flow the bodies move with it. */
-  template <int dim>
-  void ImmersedSwimmer<dim>::start_bodies()
-  {
-    for (const auto &body : bodies)
-    {
-      SolidBody<dim> &solid = body->solid;
-      body->interaction.reinit(*finest_cells, space.velocity_dofs, space.constraints,
-                               fluid.velocity, solid.get_dof_handler(), solid.positions,
-                               body->get_name());
-      body->interaction.interpolate(fluid.velocity, solid.velocity);
-      solid.apply_inverse_mass(solid.velocity);
-      solid.old_velocity = solid.velocity;
     }
+    check_distances(operators, states);
   }
 
   template <int dim>
   void ImmersedSwimmer<dim>::print_summary(const CaseCheck<dim> &check, std::ostream &out) const
   {
     std::vector<unsigned int> cells_per_level(parameters.domain.levels, 0);
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : operators.triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         ++cells_per_level[cell->level()];
     Utilities::MPI::sum(cells_per_level, communicator, cells_per_level);
     const Tensor<1, dim> spacing = parameters.domain.get_finest_spacing();
-    out << "Fluid: " << triangulation.n_global_active_cells() << " cells (by level";
+    out << "Fluid: " << operators.triangulation.n_global_active_cells() << " cells (by level";
     for (const unsigned int n : cells_per_level)
       out << ' ' << n;
-    out << "), " << space.velocity_dofs.n_dofs() << " velocity and " << space.pressure_dofs.n_dofs()
-        << " pressure unknowns, finest spacing " << spacing << " m\n";
-    for (const auto &body : bodies)
+    out << "), " << operators.space.velocity_dofs.n_dofs() << " velocity and "
+        << operators.space.pressure_dofs.n_dofs() << " pressure unknowns, finest spacing "
+        << spacing << " m\n";
+    for (const auto &body : operators.bodies)
     {
-      const SolidBody<dim> &solid = body->solid;
+      const SolidBody<dim> &solid = body->get_solid();
       out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
           << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
           << (dim == 2 ? " m^2" : " m^3") << ", length " << body->get_length() << " m\n";
     }
-    for (const std::string &doubt : check.find_doubts())
-      out << "Warning: " << doubt << '\n';
+    for (const std::string &warning : check.find_warnings())
+      out << "Warning: " << warning << '\n';
   }
 
   template <int dim>
   void ImmersedSwimmer<dim>::check(std::ostream &out, const bool fast)
   {
-    const CaseCheck<dim> check(parameters, system);
+    const CaseCheck<dim> check(operators, operators.triangulation.n_global_active_cells());
     print_summary(check, out);
     check.print_resolution(out);
     check.print_costs(out, fast ? TrialCost() : try_steps(4));
-    const std::size_t n_doubts = check.find_doubts().size();
-    if (n_doubts == 0)
-      out << "Nothing speaks against a run.\n";
+    const std::size_t n_warnings = check.find_warnings().size();
+    if (n_warnings == 0)
+      out << "No problems found.\n";
     else
-      out << "The case can be run; see the " << (n_doubts == 1 ? "warning" : "warnings")
+      out << "The case can be run; see the " << (n_warnings == 1 ? "warning" : "warnings")
           << " above.\n";
   }
 
   template <int dim>
   TrialCost ImmersedSwimmer<dim>::try_steps(const unsigned int n_steps)
   {
-    TimeStepper stepper(parameters.time);
-    TrialCost   cost;
-    Timer       trial_clock(communicator);
-    while (cost.n_steps < n_steps && !stepper.is_at_end())
+    TrialCost cost;
+    Timer     trial_clock(communicator);
+    while (cost.n_steps < n_steps && !state.time.is_at_end())
     {
       if (cost.n_steps == 1)
         trial_clock.restart();
-      const StepResult<dim> result = scheme->advance(stepper);
-      scheme->accept(stepper.get_step());
-      stepper.accept(result.indicators);
+      state = advance(operators, state, state.time.get_step()).state;
       ++cost.n_steps;
     }
     if (cost.n_steps > 1)
@@ -189,70 +148,63 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::adapt_grid(const TimeStepper &stepper, RunOutput<dim> &output,
-                                        Log &log)
+  Observation<dim> ImmersedSwimmer<dim>::observe() const
   {
-    const bool is_due = stepper.get_step_number() > 0 &&
-                        stepper.get_step_number() % parameters.refinement.interval == 0;
-    if (!is_due && !adaptation.is_needed())
-      return;
-    const AdaptationReport report = adaptation.adapt(
-        stepper.get_time(), stepper.get_time() - stepper.get_previous_step(), stepper.get_step());
-    if (report.changed)
-      output.report_new_grid(stepper.get_time());
-    if (report.changed && !(std::abs(report.momentum_change) < 1e-3))
-      log << "Warning: adapting the grid at t = " << stepper.get_time()
-          << " s changed the momentum by " << report.momentum_change
-          << " of that of the fastest flow, the kinetic energy by " << report.kinetic_energy_change
-          << ' ' << get_extensive_unit<dim>("J") << ".\n";
+    Observation<dim> observation{state.time.get_time(),
+                                 state.time.get_previous_step(),
+                                 state.time.get_step_number(),
+                                 state.time.is_at_end(),
+                                 operators.space,
+                                 operators.lattice,
+                                 state.fluid,
+                                 report,
+                                 operators.coupling.get_support(),
+                                 {}};
+    for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+      observation.bodies.push_back({*operators.bodies[b], state.bodies[b], report.bodies[b]});
+    return observation;
   }
 
   template <int dim>
-  StepResult<dim> ImmersedSwimmer<dim>::advance(TimeStepper &stepper, Log &log)
+  void ImmersedSwimmer<dim>::adapt_grid(Log &log)
   {
-    for (;;)
+    const unsigned int step_number = state.time.get_step_number();
+    const bool is_due = step_number > 0 && step_number % parameters.refinement.interval == 0;
+    if (!is_due && !adaptation_is_needed(operators, state))
+      return;
+    const AdaptationReport adaptation = adapt(operators, state);
+    if (!adaptation.changed)
+      return;
     {
-      std::string reason;
-      FailureKind kind = FailureKind::other;
+      TimerOutput::Scope timer_section(operators.timer, "output");
+      observers.observe_new_grid(observe());
+    }
+    if (!(std::abs(adaptation.momentum_change) < 1e-3))
+      log << "Warning: adapting the grid at t = " << state.time.get_time()
+          << " s changed the momentum by " << adaptation.momentum_change
+          << " of that of the fastest flow, the kinetic energy by "
+          << adaptation.kinetic_energy_change << ' ' << get_extensive_unit<dim>("J") << ".\n";
+  }
+
+  /** A step that fails is tried again with half its size, unless it was too often: the run ends. */
+  template <int dim>
+  Step<dim> ImmersedSwimmer<dim>::advance_with_retries(Log &log) const
+  {
+    double dt = state.time.get_step();
+    for (unsigned int n_retries = 0;; ++n_retries)
       try
       {
-        return scheme->advance(stepper);
+        return advance(operators, state, dt);
       }
-      catch (const SolverControl::NoConvergence &exception)
+      catch (const StepFailure &failure)
       {
-        kind   = FailureKind::no_convergence;
-        reason = "The linear solver did not converge (residual " +
-                 std::to_string(exception.last_residual) +
-                 "; Solver/Largest number of iterations).";
+        log << "The step from t = " << state.time.get_time() << " s with " << dt << " s failed. "
+            << failure.what() << std::endl;
+        const std::string error =
+            catch_error([&]() { dt = state.time.halve(dt, n_retries, failure.what()); });
+        AssertThrow(error.empty(),
+                    ExcMessage(error + "\n" + describe_failure(failure, operators, state)));
       }
-      catch (const ExcBodiesMeet &)
-      {
-        throw; // smaller steps would bring them no less close
-      }
-      catch (const ExceptionBase &exception)
-      {
-        std::ostringstream text;
-        exception.print_info(text);
-        reason = Utilities::trim(text.str());
-        if (dynamic_cast<const ExcInvertedElement *>(&exception) != nullptr)
-          kind = FailureKind::inverted_element;
-        else if (dynamic_cast<const ExcNotFinite *>(&exception) != nullptr)
-          kind = FailureKind::not_finite;
-      }
-      reject(stepper, kind, reason, log);
-    }
-  }
-
-  /** The step is tried again with half its size, unless it was too often: then the run ends. */
-  template <int dim>
-  void ImmersedSwimmer<dim>::reject(TimeStepper &stepper, const FailureKind kind,
-                                    const std::string &reason, Log &log)
-  {
-    log << "The step from t = " << stepper.get_time() << " s with " << stepper.get_step()
-        << " s failed. " << reason << std::endl;
-    const std::string error = catch_error([&]() { stepper.reject(reason); });
-    AssertThrow(error.empty(),
-                ExcMessage(error + "\n" + describe_failure(kind, system, get_domain())));
   }
 
   template <int dim>
@@ -262,36 +214,31 @@ namespace caudal
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::resume_from(RunState state)
+  void ImmersedSwimmer<dim>::run_to_end(Log &log, const std::function<bool()> &stop_requested)
   {
-    resumed = std::move(state);
-  }
-
-  template <int dim>
-  void ImmersedSwimmer<dim>::run_to_end(TimeStepper &stepper, RunOutput<dim> &output, Log &log,
-                                        const std::function<bool()> &stop_requested)
-  {
-    Progress   progress(is_terminal() ? std::cout : log.get_stream(), stepper.get_time(),
+    Progress   progress(is_terminal() ? std::cout : log.get_stream(), state.time.get_time(),
                       parameters.time.end_time, is_terminal());
     const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
-    while (!stepper.is_at_end() && !stop_requested() && !checkpoints.is_out_of_time())
+    while (!state.time.is_at_end() && !stop_requested() && !writer.is_out_of_time())
     {
-      stepper.check_step();
-      adapt_grid(stepper, output, log);
-      const StepResult<dim> result = advance(stepper, log);
-      scheme->accept(stepper.get_step());
-      stepper.accept(result.indicators);
-      output.report_step(stepper, result, triangulation.n_global_active_cells());
-      guards.check(stepper.get_time(), output.get_ledger(), output.get_initial_ledger(), log);
+      state.time.check_step();
+      adapt_grid(log);
+      Step<dim> step = advance_with_retries(log);
+      state          = std::move(step.state);
+      report         = std::move(step.report);
+      {
+        TimerOutput::Scope timer_section(operators.timer, "output");
+        observers.observe_step(observe());
+      }
 
       std::ostringstream details;
-      details << std::setprecision(3) << "dt " << stepper.get_previous_step() << " s, "
-              << triangulation.n_global_active_cells() << " cells, " << result.iterations
-              << " iterations, max |u| " << output.get_largest_velocity() << " m/s";
+      details << std::setprecision(3) << "dt " << state.time.get_previous_step() << " s, "
+              << operators.triangulation.n_global_active_cells() << " cells, " << report.iterations
+              << " iterations, max |u| " << report.flow.largest_velocity << " m/s";
       if (is_root)
-        progress.update(stepper.get_time(), stepper.get_step_number(), details.str());
-      if (checkpoints.is_due())
-        checkpoints.write(/*goes_on=*/!stepper.is_at_end());
+        progress.update(state.time.get_time(), state.time.get_step_number(), details.str());
+      if (writer.is_due(state.time.get_step_number()))
+        write_checkpoint();
     }
     if (is_root)
       progress.finish();
@@ -301,56 +248,62 @@ namespace caudal
   Outcome ImmersedSwimmer<dim>::run(const OutputFolder &folder, Log &log,
                                     const std::function<bool()> &stop_requested)
   {
-    print_summary(CaseCheck<dim>(parameters, system), log.get_stream());
+    print_summary(
+        CaseCheck<dim>(operators, resumed ? 0 : operators.triangulation.n_global_active_cells()),
+        log.get_stream());
     log << std::endl;
-    TimeStepper    stepper(parameters.time);
-    RunOutput<dim> output(
-        parameters, system, folder, log,
-        resumed ? std::make_optional(KeptResults{resumed->time, resumed->last_field_time})
-                : std::nullopt);
-    checkpoints.start(folder, parameter_values, stepper, output);
+    observers.start(observe(), folder, log, parameters.output, resumed.has_value());
+    writer.start(folder.path());
     if (resumed)
-      checkpoints.restore(*resumed);
-    else
-      output.write_fields(0);
+      unpack(resumed->parts.at(output_part), observers);
     resumed.reset();
-    const unsigned int first_step = stepper.get_step_number();
-    const double       start      = stepper.get_time();
+    const unsigned int first_step = state.time.get_step_number();
+    const double       start      = state.time.get_time();
     try
     {
-      run_to_end(stepper, output, log, stop_requested);
+      run_to_end(log, stop_requested);
     }
     catch (...)
     {
-      write_last_state(stepper, output, log);
+      write_last_state(log);
       throw;
     }
     // The checkpoint comes first: the fields of a stopped run are not due.
-    checkpoints.write(/*goes_on=*/false);
-    output.write_fields(stepper.get_time());
-    output.finish();
-    if (!stepper.is_at_end())
-      log << describe_stop(stop_requested(), stepper.get_time(), stepper.get_step_number(),
+    write_checkpoint();
+    observers.finish(observe());
+    if (!state.time.is_at_end())
+      log << describe_stop(stop_requested(), state.time.get_time(), state.time.get_step_number(),
                            folder.path())
           << std::endl;
 
-    guards.print_summary(log);
-    print_costs(stepper.get_step_number() - first_step, stepper.get_time() - start,
-                output.get_last_beat_period(), log.get_stream());
-    return stepper.is_at_end() ? Outcome::finished : Outcome::stopped;
+    observers.print_warnings();
+    print_costs(state.time.get_step_number() - first_step, state.time.get_time() - start,
+                observers.template get<TailBeats<dim>>().get_last_period(), log.get_stream());
+    return state.time.is_at_end() ? Outcome::finished : Outcome::stopped;
   }
 
   template <int dim>
-  void ImmersedSwimmer<dim>::write_last_state(const TimeStepper &stepper, RunOutput<dim> &output,
-                                              Log &log)
+  void ImmersedSwimmer<dim>::write_checkpoint()
   {
-    log << "The last good state, at t = " << stepper.get_time() << " s, is written as fields and "
-        << "as a checkpoint." << std::endl;
+    const unsigned int step_number = state.time.get_step_number();
+    if (writer.has_written(step_number))
+      return;
+    TimerOutput::Scope timer_section(operators.timer, "checkpoint");
+    Checkpoint         checkpoint = take_checkpoint(operators, state);
+    checkpoint.parameters         = parameter_values;
+    checkpoint.parts[output_part] = pack(observers);
+    writer.write(pack(checkpoint), step_number, state.time.get_time());
+  }
+
+  template <int dim>
+  void ImmersedSwimmer<dim>::write_last_state(Log &log)
+  {
+    log << "The last good state, at t = " << state.time.get_time() << " s, is written as fields "
+        << "and as a checkpoint." << std::endl;
     try
     {
-      checkpoints.write(/*goes_on=*/false);
-      output.write_fields(stepper.get_time());
-      output.finish();
+      write_checkpoint();
+      observers.finish(observe());
     }
     catch (const std::exception &)
     {
@@ -373,15 +326,20 @@ namespace caudal
     const double total = clock.wall_time();
     out << "\n"
         << n_steps << " steps in " << format_duration(total) << ", " << n_steps / total
-        << " steps/s, " << coupled_system.get_n_factorisations() << " factorisations of up to "
-        << coupled_system.get_factor_entries() << " entries, " << get_memory()
-        << " MiB of memory on all ranks";
+        << " steps/s, " << operators.solver.get_n_factorisations() << " factorisations of up to "
+        << operators.solver.get_factor_entries() << " entries, "
+        << (operators.solver.get_n_pivoting_factorisations() == 0
+                ? ""
+                : std::to_string(operators.solver.get_n_pivoting_factorisations()) +
+                      " of them with pivots from all rows, which is slow, ")
+        << get_memory() << " MiB of memory on all ranks";
     if (duration > 0)
       out << ", " << total / duration << " s of wall time for a simulated second";
     if (duration > 0 && period > 0)
       out << ", " << total / duration * period << " s for a tail beat";
     out << ". Wall time of rank 0:\n";
-    for (const auto &[section, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
+    for (const auto &[section, seconds] :
+         operators.timer.get_summary_data(TimerOutput::total_wall_time))
       out << "  " << std::left << std::setw(24) << section << std::right << std::setw(9)
           << std::fixed << std::setprecision(1) << seconds << " s" << std::setw(7)
           << 100 * seconds / total << " %\n";

@@ -28,8 +28,21 @@ namespace caudal
                                                     : std::vector<std::string>{"<region>"};
       AssertThrow(!regions.empty(),
                   ExcMessage(entry + ": the list is empty. Give at least one name."));
-      bodies.push_back(std::make_unique<SwimmingBodyParameters<dim>>(name, regions));
+      bodies.push_back(std::make_unique<BodyParameters<dim>>(name, regions));
     }
+  }
+
+  template <int dim>
+  std::vector<RenamedEntry> RunParameters<dim>::get_renamed_entries()
+  {
+    std::vector<RenamedEntry> entries = BodyGridParameters<dim>::get_renamed_entries();
+    entries.push_back({"Body */Gait/Curvature", "Body */Gait/Curvature/Function"});
+    for (const std::string entry :
+         {"Heading/Target heading", "Heading/Heading gain", "Heading/Yaw rate gain",
+          "Heading/Largest bias", "Speed/Target speed", "Speed/Speed gain", "Speed/Largest gain"})
+      entries.push_back(
+          {"Body */Controller/" + entry.substr(entry.find('/') + 1), "Body */Controller/" + entry});
+    return entries;
   }
 
   template <int dim>
@@ -45,6 +58,7 @@ namespace caudal
                       "Names of the bodies, separated by commas; each has a section `Body <name>`. "
                       "None: only the fluid.",
                       Patterns::Anything());
+    declare_libraries(prm);
     time.add_parameters(prm);
     domain.add_parameters(prm);
     fluid.add_parameters(prm);
@@ -59,7 +73,7 @@ namespace caudal
     solver.add_parameters(prm);
     output.add_parameters(prm);
     checkpoint.add_parameters(prm);
-    guards.add_parameters(prm);
+    observers.add_parameters(prm);
   }
 
   template <int dim>
@@ -80,7 +94,7 @@ namespace caudal
     solver.check();
     output.check();
     checkpoint.check();
-    guards.check();
+    observers.check();
   }
 
   std::string get_model(const ParameterFile &file)

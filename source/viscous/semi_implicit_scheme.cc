@@ -1,4 +1,4 @@
-#include <caudal/viscous/time_scheme.h>
+#include <caudal/viscous/step_parts.h>
 
 namespace caudal
 {
@@ -16,211 +16,219 @@ namespace caudal
     class SemiImplicitScheme : public TimeScheme<dim>
     {
     public:
-      explicit SemiImplicitScheme(const ImmersedSystem<dim> &system)
-          : TimeScheme<dim>(system)
-      {}
-
-      StepResult<dim> advance(const TimeStepper &stepper) override
+      void advance(const Operators<dim> &operators, const State<dim> &state, const double dt,
+                   Step<dim> &step) const override
       {
-        const TimeWeights weights = stepper.get_weights();
-        predict_fluid(weights, stepper.get_next_time());
+        recall_factorisation(operators, state.solver);
+        const TimeWeights weights = state.time.get_weights(dt);
 
-        std::vector<Vector<double>>                    predicted;
-        std::vector<typename CoupledSystem<dim>::Body> coupled;
-        for (const auto &body : system.bodies)
+        const auto point = std::make_shared<const Linearisation>(
+            predict(operators, state, weights, dt, command_muscles(operators, state, dt)));
+        const FluidGuess            guess  = make_guess(operators, state, *point);
+        const LinearisedBodies<dim> bodies = linearise_bodies(operators, *point);
+
+        std::vector<Vector<double>> force_densities; // the first guess
+        for (const BodyState &body : state.bodies)
+          force_densities.push_back(body.force_density);
+        CoupledUnknowns residual;
+        residual.velocity = compute_momentum_residual(operators, state, weights, *point, guess);
+        const double force_scale =
+            apply_bodies_to_fluid(bodies.interactions, force_densities, residual.velocity);
+        for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+          residual.bodies.push_back(compute_body_residual(
+              *operators.bodies[b], state.bodies[b], weights, point->bodies[b], bodies, b, guess));
+
+        FluidSolution solution =
+            solve_and_correct(operators, guess, std::move(residual), bodies.equations, point,
+                              force_scale, step.state.solver);
+        step.state.fluid = {std::move(solution.velocity), state.fluid.velocity,
+                            std::move(solution.pressure)};
+        step.state.fluid.update_ghost_values();
+        for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
-          predicted.push_back(predict_body(*body, weights));
-          body->prepare_step(stepper.get_time(), stepper.get_step());
-          this->update_interaction(*body, predicted.back());
-          set_up_body_equations(*body, predicted.back(), weights, stepper);
-          coupled.push_back({&body->interaction, &body->equations});
+          const Body<dim> &body = *operators.bodies[b];
+          step.state.bodies.push_back(
+              move_body(body, state.bodies[b], weights, bodies.interactions[b], solution.bodies[b],
+                        point->bodies[b].contraction, step.state.fluid.velocity));
+          step.report.bodies.emplace_back();
+          step.report.bodies[b].muscle_power =
+              account_work(body, state.bodies[b],
+                           compute_middle_forces(operators, body, state.time.get_time(), dt,
+                                                 state.bodies[b], step.state.bodies[b]),
+                           dt, step.state.bodies[b]);
         }
 
-        FieldVector           residual = system.space.make_velocity_vector();
-        const MomentumWeights implicit =
-            assemble_momentum(weights, stepper.get_next_time(), residual);
-        for (const auto &body : system.bodies)
-          body->interaction.spread(body->new_force_density, residual);
-        const unsigned int iterations = this->solve(residual, coupled, implicit, true);
-
-        for (const auto &body : system.bodies)
-        {
-          move_body(*body, weights);
-          compute_middle_forces(*body, stepper);
-        }
-        StepResult<dim> result = this->check_trial_state(iterations, stepper.get_step(), predicted);
-        result.damping         = compute_damping(stepper);
-        return result;
+        std::vector<Vector<double>> predicted;
+        for (const auto &body : point->bodies)
+          predicted.push_back(body.positions);
+        check_step(operators, state, step.state, predicted, bodies.interactions, dt, step.report);
+        step.report.iterations = solution.n_iterations;
+        step.report.rate       = point->rate;
+        step.report.damping    = compute_damping(operators, state, *point, step.state.fluid);
+        step.state.time.accept(dt, step.report.indicators);
       }
 
     private:
-      using TimeScheme<dim>::system;
-      using TimeScheme<dim>::new_velocity;
-      using TimeScheme<dim>::new_pressure;
-
-      FieldVector transport, history;
-
-      /** First guess: the extrapolated velocity, the old pressure. */
-      void predict_fluid(const TimeWeights &weights, const double time)
+      /** Extrapolates velocities to the end of the step, and body positions by BDF2. */
+      static Linearisation predict(const Operators<dim> &operators, const State<dim> &state,
+                                   const TimeWeights &weights, const double dt,
+                                   const std::vector<Contraction> &contractions)
       {
-        system.space.set_boundary_values(time);
-        copy_with_layout(system.fluid.velocity, transport);
-        transport *= weights.extrapolation[0];
-        transport.add(weights.extrapolation[1], system.fluid.old_velocity);
-        copy_with_layout(transport, new_velocity);
-        system.space.constraints.distribute(new_velocity);
-        copy_with_layout(system.fluid.pressure, new_pressure);
-        copy_with_layout(system.fluid.velocity, history);
-        history *= weights.derivative[1];
-        history.add(weights.derivative[2], system.fluid.old_velocity);
-        history *= system.space.get_parameters().density;
-        for (const FieldVector *field : {&transport, &new_velocity, &new_pressure, &history})
-          field->update_ghost_values();
-      }
-
-      /** The transport velocity is the extrapolated one. Called when it is no more needed. */
-      double compute_damping(const TimeStepper &stepper)
-      {
-        const bool is_first = stepper.get_previous_step() == 0;
-        transport.sadd(-1, 1, new_velocity);
-        transport.update_ghost_values();
-        return (is_first ? 1 : 0.5) * compute_kinetic_energy(system.space, transport);
-      }
-
-      MomentumWeights assemble_momentum(const TimeWeights &weights, const double time,
-                                        FieldVector &residual)
-      {
-        TimerOutput::Scope timer_section(system.timer, "assemble fluid");
-        const auto        &parameters = system.space.get_parameters();
-        MomentumStep       step;
-        step.weights.inertia      = parameters.density * weights.derivative[0];
-        step.weights.viscosity    = parameters.get_viscosity();
-        step.weights.grad_div     = parameters.density * parameters.grad_div;
-        step.weights.augmentation = this->get_augmentation(step.weights.inertia);
-        step.transport            = &transport;
-        step.inertia_history      = &history;
-        step.time                 = time;
-        system.momentum.assemble(step, new_velocity, new_pressure, residual);
-        return step.weights;
-      }
-
-      /** Extrapolates the body's velocity and returns the positions X* to which it leads. */
-      Vector<double> predict_body(SwimmingBody<dim> &body, const TimeWeights &weights) const
-      {
-        const SolidBody<dim> &solid = body.solid;
-        body.new_velocity           = solid.velocity;
-        body.new_velocity *= weights.extrapolation[0];
-        body.new_velocity.add(weights.extrapolation[1], solid.old_velocity);
-        body.new_force_density = solid.force_density;
-        return integrate_position(body, weights);
+        const auto   &parameters = operators.parameters.fluid;
+        Linearisation point;
+        point.time                 = state.time.get_time() + dt;
+        point.step                 = dt;
+        point.rate                 = weights.derivative[0];
+        point.weights.inertia      = parameters.density * point.rate;
+        point.weights.viscosity    = parameters.get_viscosity();
+        point.weights.grad_div     = parameters.density * parameters.grad_div;
+        point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
+        point.transport            = state.fluid.velocity;
+        point.transport *= weights.extrapolation[0];
+        point.transport.add(weights.extrapolation[1], state.fluid.old_velocity);
+        point.transport.update_ghost_values();
+        for (unsigned int b = 0; b < state.bodies.size(); ++b)
+        {
+          const BodyState &body     = state.bodies[b];
+          Vector<double>   velocity = body.velocity;
+          velocity *= weights.extrapolation[0];
+          velocity.add(weights.extrapolation[1], body.old_velocity);
+          const Vector<double> positions =
+              integrate_position(*operators.bodies[b], body, velocity, weights);
+          point.bodies.push_back({positions, velocity, contractions[b]});
+        }
+        return point;
       }
 
       /** X^{n+1} from U^{n+1} and the old positions, by BDF2. */
-      Vector<double> integrate_position(const SwimmingBody<dim> &body,
-                                        const TimeWeights       &weights) const
+      static Vector<double> integrate_position(const Body<dim> &body, const BodyState &state,
+                                               const Vector<double> &velocity,
+                                               const TimeWeights    &weights)
       {
-        const SolidBody<dim> &solid = body.solid;
-        Vector<double>        positions(body.new_velocity);
-        positions.add(-weights.derivative[1], solid.positions, -weights.derivative[2],
-                      solid.old_positions);
+        Vector<double> positions(velocity);
+        positions.add(-weights.derivative[1], state.positions, -weights.derivative[2],
+                      state.old_positions);
         positions /= weights.derivative[0];
-        solid.restore_fixed_nodes(positions);
+        body.get_solid().restore_fixed_nodes(positions);
         return positions;
       }
 
-      /** Response matrix and right hand sides of the body for the first guess and X*. */
-      void set_up_body_equations(SwimmingBody<dim> &body, const Vector<double> &predicted,
-                                 const TimeWeights &weights, const TimeStepper &stepper) const
+      /** The extrapolated velocity with the boundary values, the old pressure. */
+      static FluidGuess make_guess(const Operators<dim> &operators, const State<dim> &state,
+                                   const Linearisation &point)
       {
-        TimerOutput::Scope          timer_section(system.timer, "assemble body");
-        const SolidBody<dim>       &solid     = body.solid;
-        const SparseMatrix<double> &mass      = solid.get_mass_matrix();
-        BodyEquations              &equations = body.equations;
-        body.assemble_forces(predicted, stepper.get_next_time(), true);
-
-        // b linearised in U, since X^{n+1} = ... + U^{n+1} / derivative[0] where X is free.
-        body.response.copy_from(body.elastic_system.stiffness);
-        body.response.add(1, solid.get_feedback_stiffness());
-        body.response /= weights.derivative[0];
-        for (auto entry : body.response)
-          if (solid.is_fixed(entry.column()))
-            entry.value() = 0;
-        body.response.add(1, solid.get_feedback_damping());
-        body.response.add(solid.get_excess_density() * weights.derivative[0], mass);
-
-        Vector<double> force = body.compute_feedback_force(predicted, body.new_velocity);
-        force += body.elastic_system.elastic_force;
-        force += body.elastic_system.active_force;
-        if (solid.get_excess_density() != 0)
-        {
-          Vector<double> acceleration(body.new_velocity);
-          acceleration *= weights.derivative[0];
-          acceleration.add(weights.derivative[1], solid.velocity, weights.derivative[2],
-                           solid.old_velocity);
-          acceleration *= -solid.get_excess_density();
-          mass.vmult_add(force, acceleration);
-        }
-        equations.frame_velocity.reinit(0);
-        if (body.has_gait())
-          add_gait(body, predicted, stepper, force);
-
-        Vector<double> old_force(body.new_force_density);
-        old_force *= -1;
-        equations.force_density = force;
-        mass.vmult_add(equations.force_density, old_force);
-        equations.velocity.reinit(solid.n_dofs());
-        body.interaction.interpolate(new_velocity, equations.velocity);
-        Vector<double> opposite_velocity(body.new_velocity);
-        opposite_velocity *= -1;
-        mass.vmult_add(equations.velocity, opposite_velocity);
+        FluidGuess guess{point.transport, state.fluid.pressure};
+        operators.space.get_constraints(point.time).distribute(guess.velocity);
+        guess.velocity.update_ghost_values();
+        guess.pressure.update_ghost_values();
+        return guess;
       }
 
-      void add_gait(SwimmingBody<dim> &body, const Vector<double> &predicted,
-                    const TimeStepper &stepper, Vector<double> &force) const
+      /** Assembles the momentum equation about @p point; bodies are not in the residual yet. */
+      static FieldVector compute_momentum_residual(const Operators<dim> &operators,
+                                                   const State<dim>     &state,
+                                                   const TimeWeights    &weights,
+                                                   const Linearisation  &point,
+                                                   const FluidGuess     &guess)
       {
-        BodyEquations &equations = body.equations;
-        body.set_up_rigid_motions(predicted);
-        // Errors of the shape are worked off within ten steps.
-        Vector<double> slip =
-            body.compute_gait_velocity(predicted, stepper.get_next_time(), 10 * stepper.get_step());
-        slip -= body.new_velocity;
-        equations.frame_velocity.reinit(equations.rigid_moments.size());
-        for (unsigned int k = 0; k < equations.rigid_moments.size(); ++k)
-          equations.frame_velocity[k] = equations.rigid_moments[k] * slip;
-        slip *= equations.gait_damping;
-        body.solid.get_mass_matrix().vmult_add(force, slip);
-        body.response.add(equations.gait_damping, body.solid.get_mass_matrix());
+        TimerOutput::Scope timer_section(operators.timer, "assemble fluid");
+        FieldVector        history = state.fluid.velocity;
+        history *= weights.derivative[1];
+        history.add(weights.derivative[2], state.fluid.old_velocity);
+        history *= operators.parameters.fluid.density;
+        history.update_ghost_values();
+        MomentumStep momentum;
+        momentum.weights         = point.weights;
+        momentum.transport       = &point.transport;
+        momentum.inertia_history = &history;
+        momentum.time            = point.time;
+        return operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
+      }
+
+      /** r_U = G u - M_s U*, r_Phi = b(X*, U*) - M_s Phi, and that of the frame. */
+      static BodyUnknowns compute_body_residual(const Body<dim> &body, const BodyState &state,
+                                                const TimeWeights           &weights,
+                                                const Linearisation::Body   &point,
+                                                const LinearisedBodies<dim> &bodies,
+                                                const unsigned int b, const FluidGuess &guess)
+      {
+        const SolidBody<dim>       &solid = body.get_solid();
+        const SparseMatrix<double> &mass  = solid.get_mass_matrix();
+        BodyUnknowns                residual;
+        residual.force_density.reinit(solid.n_dofs());
+        for (const auto &account : bodies.forces[b])
+          residual.force_density += account.second;
+        if (solid.get_excess_density() != 0)
+        {
+          Vector<double> acceleration(point.velocity);
+          acceleration *= weights.derivative[0];
+          acceleration.add(weights.derivative[1], state.velocity, weights.derivative[2],
+                           state.old_velocity);
+          acceleration *= -solid.get_excess_density();
+          mass.vmult_add(residual.force_density, acceleration);
+        }
+        Vector<double> opposite(state.force_density);
+        opposite *= -1;
+        mass.vmult_add(residual.force_density, opposite);
+
+        residual.velocity = bodies.interactions[b].interpolate(guess.velocity);
+        opposite          = point.velocity;
+        opposite *= -1;
+        mass.vmult_add(residual.velocity, opposite);
+        residual.frame_velocity = bodies.frame_residuals[b];
+        return residual;
       }
 
       /** Applies the corrections; the velocity is interpolated anew, free of the solver's error. */
-      void move_body(SwimmingBody<dim> &body, const TimeWeights &weights) const
+      static BodyState move_body(const Body<dim> &body, const BodyState &state,
+                                 const TimeWeights              &weights,
+                                 const InteractionOperator<dim> &interaction,
+                                 const BodyUnknowns &correction, const Contraction &contraction,
+                                 const FieldVector &velocity)
       {
-        body.new_force_density += body.equations.force_density;
-        body.interaction.interpolate(new_velocity, body.new_velocity);
-        body.solid.apply_inverse_mass(body.new_velocity);
-        body.new_positions = integrate_position(body, weights);
+        BodyState next;
+        next.force_density = state.force_density;
+        next.force_density += correction.force_density;
+        next.velocity      = follow_fluid(body, interaction, velocity);
+        next.old_velocity  = state.velocity;
+        next.positions     = integrate_position(body, state, next.velocity, weights);
+        next.old_positions = state.positions;
+        next.contraction   = contraction;
+        return next;
       }
 
       /** Forces in the middle of the step: their work is of second order, as the scheme is. */
-      void compute_middle_forces(SwimmingBody<dim> &body, const TimeStepper &stepper) const
+      static BodyForces compute_middle_forces(const Operators<dim> &operators,
+                                              const Body<dim> &body, const double time,
+                                              const double dt, const BodyState &before,
+                                              const BodyState &after)
       {
-        TimerOutput::Scope    timer_section(system.timer, "assemble body");
-        const SolidBody<dim> &solid = body.solid;
-        Vector<double>        positions(solid.positions), velocity(solid.velocity);
-        positions.sadd(0.5, 0.5, body.new_positions);
-        velocity.sadd(0.5, 0.5, body.new_velocity);
-        body.assemble_forces(positions, stepper.get_time() + 0.5 * stepper.get_step(), false);
-        body.new_feedback_force = body.compute_feedback_force(positions, velocity);
+        TimerOutput::Scope timer_section(operators.timer, "assemble body");
+        Vector<double>     positions(before.positions), velocity(before.velocity);
+        positions.sadd(0.5, 0.5, after.positions);
+        velocity.sadd(0.5, 0.5, after.velocity);
+        const BodyMotion motion{positions, velocity, time + 0.5 * dt, dt, after.contraction};
+        BodyForces       forces;
+        for (const LoadAccount account :
+             {LoadAccount::feedback, body.has_gait() ? LoadAccount::elastic : LoadAccount::muscle})
+          forces[account] = body.compute_force(account, motion);
+        return forces;
+      }
+
+      /** See StepReport::damping: the transport velocity is the extrapolated one. */
+      static double compute_damping(const Operators<dim> &operators, const State<dim> &state,
+                                    const Linearisation &point, const FluidState<dim> &fluid)
+      {
+        FieldVector difference(point.transport);
+        difference.sadd(-1, 1, fluid.velocity);
+        difference.update_ghost_values();
+        const bool is_first = state.time.get_previous_step() == 0;
+        return (is_first ? 1 : 0.5) * summarise_flow(operators.space, difference).kinetic_energy;
       }
     };
+
+    const DimensionalRegistration<TimeScheme, SemiImplicitScheme>
+        registration("semi-implicit",
+                     "BDF2, convection and body forces linearised about the extrapolated state");
   } // namespace
-
-  template <int dim>
-  std::unique_ptr<TimeScheme<dim>> create_semi_implicit_scheme(const ImmersedSystem<dim> &system)
-  {
-    return std::make_unique<SemiImplicitScheme<dim>>(system);
-  }
-
-  template std::unique_ptr<TimeScheme<2>> create_semi_implicit_scheme(const ImmersedSystem<2> &);
-  template std::unique_ptr<TimeScheme<3>> create_semi_implicit_scheme(const ImmersedSystem<3> &);
 } // namespace caudal

@@ -90,14 +90,14 @@ refuse "overlapping bodies" two.prm
 refuse "a probe outside of the domain" good.prm -D "Fluid/Probes=1, 1; 1, 7"
 
 refuse "corners in the wrong order" good.prm -D "Body fish/Shape/Type=quadrilateral" \
-  -D "Body fish/Shape/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
+  -D "Body fish/Shape/Quadrilateral/Vertices=0, 0; 0, 1; 1, 1; 1, 0"
 refuse "a control volume that does not hold the body" good.prm -D "Fluid/Control volume=0.1, 0.1; 2, 1.5"
 override "Body fish/Traction" "1"
 override "Body fish/Shape/Type" file
-refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=no.msh" \
+refuse "a mesh that is not there" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=no.msh" \
   -D "Body fish/Shape/Region boundaries="
 echo '$MeshFormat' >broken.msh
-refuse "a broken mesh" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=broken.msh" \
+refuse "a broken mesh" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=broken.msh" \
   -D "Body fish/Shape/Region boundaries="
 cat >square.msh <<'END'
 $MeshFormat
@@ -115,7 +115,7 @@ $Elements
 1 3 2 7 1 1 2 3 4
 $EndElements
 END
-refuse "a mesh with other regions" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File=square.msh" \
+refuse "a mesh with other regions" good.prm -D "Body fish/Shape/Type=file" -D "Body fish/Shape/File/Name=square.msh" \
   -D "Body fish/Shape/Region boundaries="
 refuse "a force table that is not there" good.prm -D "Body fish/Muscle/Type=table" \
   -D "Body fish/Muscle/Table/File=no.txt"
@@ -128,9 +128,25 @@ mkdir full
 touch full/thesis.tex
 refuse "an output folder with other files" good.prm -D "Output/Folder=full"
 
+override "Output/Figures/Print" "last(3)"
+override "Output/Figures/Print" "last([time"
+
 echo "* more ranks than cells"
 mpirun -np 3 "$CAUDAL" good.prm -D "Domain/Cells=2,1" -D "Domain/Levels=5" 2>&1 | grep -m 1 Error
 [ ! -e results ] || echo "    there is a folder of results"
+
+# figure EXPRESSION: what is said at the end of a run
+"$CAUDAL" good.prm -D "Output/Folder=run" >printed
+figure() {
+  echo "* the figure $1"
+  "$CAUDAL" --resume run -D "Output/Figures/Print=$1" 2>&1 | sed 's/^/    /'
+}
+figure "last([fish: z of point 1])"
+figure "last([time]) + foo"
+figure "[time]"
+figure "last([time]"
+figure "last([time]/0)"
+figure "1e3*last([time]); 100*largest([time] - t); mean(2*[cells]/[cells])"
 
 echo "* the case is good, with warnings"
 "$CAUDAL" --check --fast good.prm

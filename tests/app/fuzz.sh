@@ -21,11 +21,13 @@ subsection Body fish
   set Monitored points = 0.2, 0
   subsection Shape
     set Type              = naca
-    set NACA digits       = 0024
     set Length            = 0.6
     set Elements          = 12, 4
     set Position          = 0.7, 0.5
     set Region boundaries = 0.5
+    subsection Naca
+      set Digits = 0024
+    end
   end
   subsection Region head
     set Young's modulus    = 10

@@ -4,7 +4,7 @@
 
 cd "$CAUDAL_SOURCE_DIR"
 find prm -name '*.prm' | sort | while read -r file; do
-  "$CAUDAL" --check --fast "$file" 2>&1 | grep -q "Nothing speaks against a run\|The case can be run" ||
+  "$CAUDAL" --check --fast "$file" 2>&1 | grep -q "No problems found\|The case can be run" ||
     { echo "$file"; "$CAUDAL" --check --fast "$file"; }
 done
 cd - >/dev/null
@@ -51,8 +51,8 @@ cmp first/statistics.txt second/statistics.txt && echo "the written parameters g
 grep "^Override" first/log.txt
 
 "$CAUDAL" case.prm -D "Output/Folder=first" >/dev/null && echo "results are replaced by those of a new run"
-"$CAUDAL" --version | sed 's/[0-9.]*$/.../'
-"$CAUDAL" --help | head -n 1
+"$CAUDAL" --version | sed -E 's/[0-9]+\.[0-9.]+( \([0-9a-z.-]+\))?$/.../'
+"$CAUDAL" --help | head -n 1 | sed -E 's/ \([0-9a-z.-]+\)//'
 
 # is_current FILE ARGUMENTS: whether FILE ends with what the program prints of its parameters.
 is_current() {

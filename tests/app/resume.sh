@@ -5,9 +5,14 @@
 write_fluid_and_disc
 write_salmon
 
-echo "* stopped by the wall time, by a signal, and resumed"
-"$CAUDAL" disc.prm -D "Checkpoint/Interval of steps=5" >printed 2>errors || cat errors
+echo "* a checkpoint after each step, or none"
+"$CAUDAL" disc.prm -D "Checkpoint/Interval of steps=1" >printed 2>errors || cat errors
+cp results/statistics.txt often.txt
+"$CAUDAL" disc.prm >printed 2>errors || cat errors
 cp results/statistics.txt whole.txt
+cmp often.txt whole.txt && echo "the same statistics"
+
+echo "* stopped by the wall time, by a signal, and resumed"
 sed -n 's/.*file="\(.*\)".*/\1/p' results/solution.pvd >whole_fields.txt
 "$CAUDAL" disc.prm -D "Checkpoint/Interval of steps=5" -D "Checkpoint/Wall time limit=1e-9" >printed 2>errors
 echo "exit code $?, $(grep -o 'Stopped by Checkpoint/Wall time limit' printed)"

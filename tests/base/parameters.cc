@@ -127,6 +127,46 @@ namespace
     try_to([] { parse("good.prm", {"Coupling//Kernel=hat"}); });
   }
 
+  /** Names of an earlier version: entries, a section, a value, and others in a section that stays.
+   */
+  void rename(const std::string &file, const std::vector<std::string> &overrides = {})
+  {
+    ParameterHandler prm;
+    Parameters       p;
+    p.add_parameters(prm);
+    ParameterFile input(file, overrides);
+    input.rename({{"Form/Size", "Body fish/Shape/Length"},
+                  {"Swimmer */Form", "Body */Shape"},
+                  {"Swimmer *", "Body *"},
+                  {"Delta", "Coupling/Kernel", "cone", "hat"},
+                  {"Delta", "Coupling/Kernel"}});
+    for (const std::string &hint : input.get_hints())
+      std::cout << hint << '\n';
+    input.parse(prm);
+    std::cout << p.length << ' ' << p.points << ' ' << p.kernel << ' ' << p.moving << '\n';
+  }
+
+  void test_renamed_entries()
+  {
+    write("title.prm", "subsection Coupling\n  set Title = x\nend\n");
+    write("former.prm", "include title.prm\nset Delta = cone\n"
+                        "subsection Swimmer fish\n  set Moving = false\n  subsection Form\n"
+                        "    set Points = 3\n  end\nend\n"
+                        "subsection Form\n  set Size = 5\nend\n");
+    rename("former.prm");
+    rename("former.prm", {"Swimmer fish/Form/Length=6", "Delta=dirac"});
+    rename("former.prm", {"Body fish/Shape/Length=6", "Coupling/Kernel=dirac"});
+    write("both.prm", "include former.prm\nsubsection Body fish\n  subsection Shape\n"
+                      "    set Length = 1\n  end\nend\n");
+    try_to([] { rename("both.prm"); });
+    write("lost.prm", "include title.prm\nsubsection Form\n  set Size = 5\n  set Shade = 1\n"
+                      "  subsection Nose\n    set Length = 1\n  end\nend\n"
+                      "subsection Swimmer fish\n  set Shade = 1\nend\n");
+    try_to([] { rename("lost.prm"); });
+    write("present.prm", "include title.prm\nsubsection Body fish\n  set Moving = false\nend\n");
+    rename("present.prm");
+  }
+
   void test_command_line(std::vector<const char *> arguments)
   {
     arguments.insert(arguments.begin(), "caudal");
@@ -145,6 +185,7 @@ int main()
 {
   test_good_files();
   test_bad_files();
+  test_renamed_entries();
 
   ParameterHandler prm;
   Parameters       p;

@@ -28,8 +28,8 @@ namespace
                     const TimeParameters          &parameters = make_parameters())
   {
     TimeStepper stepper(parameters);
-    stepper.accept({0.45, 0, 0}); // a step of the same size comes next
-    stepper.accept(indicators);
+    stepper.accept(stepper.get_step(), {0.45, 0, 0}); // a step of the same size comes next
+    stepper.accept(stepper.get_step(), indicators);
     return stepper.get_step() / stepper.get_previous_step();
   }
 } // namespace
@@ -56,7 +56,7 @@ int main()
   parameters.smallest_step = 9e-4;
   TimeStepper stepper(parameters);
   stepper.check_step();
-  stepper.accept({5, 0, 0});
+  stepper.accept(stepper.get_step(), {5, 0, 0});
   try
   {
     stepper.check_step();

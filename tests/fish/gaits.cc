@@ -1,11 +1,14 @@
 // Gaits: the midline keeps its length and a symmetric body its area, cross
-// sections stay normal, velocities are time derivatives, a known displacement
-// and an arc of a circle come out; bad input.
+// sections stay normal, velocities are time derivatives, with and without a start-up; a known
+// displacement and an arc of a circle come out; bad input.
 
-#include <caudal/fish/gait.h>
+#include <caudal/fish/prescribed_motion.h>
 
 #include <cmath>
+#include <fstream>
 #include <iostream>
+
+#include "../entries.h"
 
 using namespace caudal;
 
@@ -16,6 +19,20 @@ std::string ok(const double error, const double tolerance)
   return error < tolerance ? "ok" : "bad (" + std::to_string(error) + ")";
 }
 
+std::unique_ptr<Gait> make_gait(const Entries &entries)
+{
+  GaitParameters parameters;
+  set_entries(parameters, "Gait", entries);
+  parameters.check("Body eel");
+  return parameters.create(L);
+}
+
+template <int dim>
+Point<dim> get_position(const Gait &gait, const double time, const Point<dim> &s)
+{
+  return PrescribedMotion<dim>(gait, {s}).compute(time).positions[0];
+}
+
 // Half the thickness of a NACA0012 outline of length L
 double half_thickness(const double x)
 {
@@ -23,34 +40,33 @@ double half_thickness(const double x)
   return 0.6 * L * (0.2969 * std::sqrt(s) - s * (0.126 + s * (0.3516 - s * (0.2843 - s * 0.1036))));
 }
 
-void check_gait(const std::string &name, const GaitParameters &parameters)
+void check_gait(const std::string &name, const Entries &entries)
 {
-  const auto gait = create_gait<2>(parameters, L);
-  const auto at   = [&](const double time, const Point<2> &s) {
-    gait->set_time(time);
-    return gait->position(s);
-  };
-  const unsigned int n            = 3000;
-  double             length_error = 0., area_error = 0., velocity_error = 0., angle_error = 0.;
+  const auto            gait = make_gait(entries);
+  const unsigned int    n    = 3000;
+  std::vector<Point<2>> outline;
+  for (unsigned int i = 0; i <= n; ++i)
+    for (const double side : {-1., 0., 1.})
+      outline.push_back(Point<2>(i * L / n, side * half_thickness(i * L / n)));
+  const PrescribedMotion<2> motion(*gait, outline);
+
+  double length_error = 0., area_error = 0., velocity_error = 0., angle_error = 0.;
   for (const double time : {0.05, 0.3, 0.61, 0.97})
   {
-    gait->set_time(time);
-    double length = 0., area = 0., reference = 0.;
+    const auto X      = motion.compute(time).positions;
+    double     length = 0., area = 0., reference = 0.;
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double left = i * L / n, right = (i + 1) * L / n;
-      length += gait->position(Point<2>(right, 0.)).distance(gait->position(Point<2>(left, 0.)));
+      const unsigned int left = 3 * i, right = 3 * (i + 1);
+      length += X[right + 1].distance(X[left + 1]);
 
       // Shoelace formula for the quadrilateral between two cross sections
-      const Point<2> corners[] = {
-          Point<2>(left, -half_thickness(left)), Point<2>(right, -half_thickness(right)),
-          Point<2>(right, half_thickness(right)), Point<2>(left, half_thickness(left))};
+      const unsigned int corners[] = {left, right, right + 2, left + 2};
       for (unsigned int c = 0; c < 4; ++c)
       {
-        const Point<2> s = corners[c], t = corners[(c + 1) % 4];
-        const Point<2> X = gait->position(s), Y = gait->position(t);
-        reference += 0.5 * (s[0] * t[1] - s[1] * t[0]);
-        area += 0.5 * (X[0] * Y[1] - X[1] * Y[0]);
+        const unsigned int a = corners[c], b = corners[(c + 1) % 4];
+        reference += 0.5 * (outline[a][0] * outline[b][1] - outline[a][1] * outline[b][0]);
+        area += 0.5 * (X[a][0] * X[b][1] - X[a][1] * X[b][0]);
       }
     }
     length_error = std::max(length_error, std::abs(length / L - 1.));
@@ -60,15 +76,16 @@ void check_gait(const std::string &name, const GaitParameters &parameters)
     for (const Point<2> s : {Point<2>(0.3, 0.05), Point<2>(1.1, -0.07), Point<2>(1.99, 0.01),
                              Point<2>(-0.01, 0.02), Point<2>(2.02, -0.01)})
     {
-      gait->set_time(time);
-      const Tensor<1, 2> V = gait->velocity(s);
-      const Tensor<1, 2> along =
-          gait->position(Point<2>(s[0] + 1e-3, 0.)) - gait->position(Point<2>(s[0] - 1e-3, 0.));
-      const Tensor<1, 2> across = gait->position(s) - gait->position(Point<2>(s[0], 0.));
-      const Tensor<1, 2> slope  = (at(time + 1e-5, s) - at(time - 1e-5, s)) / 2e-5;
+      const PrescribedMotion<2> near(
+          *gait, {s, Point<2>(s[0], 0.), Point<2>(s[0] + 1e-3, 0.), Point<2>(s[0] - 1e-3, 0.)});
+      const auto         here   = near.compute(time);
+      const Tensor<1, 2> along  = here.positions[2] - here.positions[3];
+      const Tensor<1, 2> across = here.positions[0] - here.positions[1];
+      const Tensor<1, 2> slope =
+          (near.compute(time + 1e-5).positions[0] - near.compute(time - 1e-5).positions[0]) / 2e-5;
       angle_error =
           std::max(angle_error, std::abs(along * across) / (along.norm() * across.norm()));
-      velocity_error = std::max(velocity_error, (slope - V).norm());
+      velocity_error = std::max(velocity_error, (slope - here.velocities[0]).norm());
     }
   }
   std::cout << name << ": length " << ok(length_error, 1e-5) << ", area " << ok(area_error, 1e-5)
@@ -92,50 +109,66 @@ void expect_sentence(const Action &action)
 
 int main()
 {
-  GaitParameters wave;
-  wave.type          = "travelling wave";
-  wave.ramp.duration = 0.5;
+  const Entries wave = {{"Type", "travelling wave"}, {"Start-up ramp", "0.5"}};
   check_gait("eel", wave);
 
   // Displacement of the tail relative to the nose, against its formula
-  const auto eel = create_gait<2>(wave, L);
-  eel->set_time(0.8);
-  const auto y = [](const double s) {
+  const auto eel = make_gait(wave);
+  const auto y   = [](const double s) {
     return 0.125 * L * (s + 0.03125) / 1.03125 * std::sin(2. * numbers::PI * (s - 0.8));
   };
   std::cout << "  displacement "
-            << ok(std::abs(eel->position(Point<2>(L, 0.))[1] - (y(1.) - y(0.))), 1e-5)
-            << ", at rest at t = 0 ";
-  eel->set_time(0.);
-  std::cout << ok(eel->position(Point<2>(1.3, 0.1)).distance(Point<2>(1.3, 0.1)), 1e-12)
+            << ok(std::abs(get_position<2>(*eel, 0.8, Point<2>(L, 0.))[1] - (y(1.) - y(0.))), 1e-5)
+            << ", at rest at t = 0 "
+            << ok(get_position<2>(*eel, 0., Point<2>(1.3, 0.1)).distance(Point<2>(1.3, 0.1)), 1e-12)
             << ", z unchanged ";
-  const auto eel_3d = create_gait<3>(wave, L);
-  eel_3d->set_time(0.8);
-  std::cout << eel_3d->position(Point<3>(1.3, 0.1, 0.7))[2] << ' '
-            << eel_3d->velocity(Point<3>(1.3, 0.1, 0.7))[2] << std::endl;
+  const auto in_space = PrescribedMotion<3>(*eel, {Point<3>(1.3, 0.1, 0.7)}).compute(0.8);
+  std::cout << in_space.positions[0][2] << ' ' << in_space.velocities[0][2] << std::endl;
 
-  GaitParameters curvature;
-  curvature.type      = "curvature";
-  curvature.curvature = "(0.5 + s)*sin(2*pi*(t - s))";
-  check_gait("curvature", curvature);
-
-  curvature.curvature = "pi/2";
-  const auto arc      = create_gait<2>(curvature, L);
-  arc->set_time(0.3);
+  check_gait("curvature",
+             {{"Type", "curvature"}, {"Curvature/Function", "(0.5 + s)*sin(2*pi*(t - s))"}});
+  const auto arc = make_gait({{"Type", "curvature"}, {"Curvature/Function", "pi/2"}});
   // Half a circle about (0, 2/pi)
-  std::cout << "half a circle: the tail "
-            << ok(arc->position(Point<2>(L, 0.)).distance(Point<2>(0., 4. / numbers::PI)), 1e-5)
-            << ", a point inside "
-            << ok(arc->position(Point<2>(L / 2., 0.1))
-                      .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)),
-                  1e-5)
-            << std::endl;
+  std::cout
+      << "half a circle: the tail "
+      << ok(get_position<2>(*arc, 0.3, Point<2>(L, 0.)).distance(Point<2>(0., 4. / numbers::PI)),
+            1e-5)
+      << ", a point inside "
+      << ok(get_position<2>(*arc, 0.3, Point<2>(L / 2., 0.1))
+                .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)),
+            1e-5)
+      << std::endl;
 
-  std::cout << "none is " << (create_gait<2>(GaitParameters(), L) ? "a gait" : "null") << std::endl;
-  curvature.curvature = "sqrt(-1-s)";
-  expect_sentence([&] { curvature.check("Body eel"); });
-  wave.frequency = 0.;
-  expect_sentence([&] { wave.check("Body eel"); });
-  wave.amplitude = 0.5;
-  expect_sentence([&] { create_gait<2>(wave, L)->set_time(1.); });
+  // Those of the ideal-fluid model in time.
+  check_gait("joints", {{"Type", "arctangent"}, {"Frequency", "1.5"}});
+  check_gait("joints, started", {{"Type", "sine"}, {"Bias", "3"}, {"Start-up ramp", "0.7"}});
+  check_gait("wave of curvature", {{"Type", "curvature wave"}, {"Growth", "0.5"}});
+  std::ofstream table("angles.csv");
+  for (unsigned int k = 0; k <= 24; ++k)
+  {
+    table << k / 24.;
+    for (unsigned int i = 0; i < 6; ++i)
+      table << "," << 20. * std::sin(2. * numbers::PI * (k % 24) / 24. - i);
+    table << "\r\n";
+  }
+  table.close();
+  const Entries control = {{"Type", "table"}, {"Table/File", "angles.csv"}};
+  check_gait("table", control);
+  Entries once           = control;
+  once["Table/Periodic"] = "false";
+  expect_sentence([&] { get_position<2>(*make_gait(once), 1.5, Point<2>()); });
+
+  std::cout << "none " << (make_gait({})->is_prescribed() ? "prescribes" : "does not prescribe")
+            << " anything" << std::endl;
+  expect_sentence([] { make_gait({{"Type", "curvature"}, {"Curvature/Function", "sqrt(-1-s)"}}); });
+  expect_sentence([] {
+    make_gait({{"Type", "travelling wave"}, {"Travelling wave/Frequency", "0"}});
+  });
+  expect_sentence([] {
+    get_position<2>(*make_gait({{"Type", "arctangent"}, {"Frequency", "1, 2"}}), 1., Point<2>());
+  });
+  expect_sentence([] {
+    get_position<2>(*make_gait({{"Type", "travelling wave"}, {"Travelling wave/Amplitude", "0.5"}}),
+                    1., Point<2>());
+  });
 }

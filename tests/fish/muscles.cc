@@ -2,6 +2,7 @@
 // nor a rejected step changes its impulse; values of wave, fibres and table,
 // in the middle of their periods and at their edges; controllers; bad input.
 
+#include <caudal/base/archive.h>
 #include <caudal/fish/force_table.h>
 #include <caudal/fish/muscle.h>
 
@@ -9,6 +10,8 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+
+#include "../entries.h"
 
 using namespace caudal;
 
@@ -26,14 +29,29 @@ SwimmerState get_state(const double time, const double step)
   return state;
 }
 
-MuscleParameters get_bang_bang(const double switching_duration = 0.)
+template <int dim = 2>
+std::unique_ptr<Muscle<dim>>
+make_muscle(const Entries &entries, const double length = 1.,
+            const std::map<std::string, types::material_id> &regions = {})
 {
-  MuscleParameters parameters;
-  parameters.type                            = "bang-bang";
-  parameters.bang_bang.maximum_force_density = 1.;
-  parameters.bang_bang.switching_position    = 0.05;
-  parameters.bang_bang.switching_duration    = switching_duration;
-  return parameters;
+  MuscleParameters<dim> parameters;
+  set_entries(parameters, "Muscle", entries);
+  parameters.check("Body fish");
+  return parameters.create(length, regions);
+}
+
+Entries get_bang_bang(const double switching_duration = 0.)
+{
+  return {{"Type", "bang-bang"},
+          {"Bang-bang/Maximum force density", "1"},
+          {"Bang-bang/Switching position", "0.05"},
+          {"Bang-bang/Switching duration", Patterns::Tools::to_string(switching_duration)}};
+}
+
+// A step of which nothing but the command matters.
+Contraction command(const Muscle<2> &muscle, const MuscleCommand &command)
+{
+  return muscle.contract(muscle.get_initial_memory(), SwimmerState(), command);
 }
 
 const MaterialPoint<2> point{Point<2>(0.7, 0.), 0};
@@ -48,23 +66,32 @@ struct Impulses
 Impulses compute_impulses(const double end, const unsigned int n_steps,
                           const double switching_duration = 0., const bool reject = false)
 {
-  const auto   muscle  = create_muscle<2>(get_bang_bang(switching_duration), 1.);
+  const auto   muscle  = make_muscle(get_bang_bang(switching_duration));
+  MuscleMemory memory  = muscle->get_initial_memory();
   const double step    = end / n_steps;
   double       impulse = 0., u = 0., u_old = 0.;
   for (unsigned int n = 0; n < n_steps; ++n)
   {
     const double time = n * step;
     if (reject)
-      muscle->prepare_step(get_state(time, 3.3 * step));
-    muscle->prepare_step(get_state(time, step));
-    impulse += step * muscle->force_density(point, time + 0.5 * step)[1];
-    const double force = muscle->force_density(point, time + step)[1];
+      muscle->contract(memory, get_state(time, 3.3 * step), MuscleCommand());
+    const Contraction now = muscle->contract(memory, get_state(time, step), MuscleCommand());
+    impulse += step * muscle->force_density(now, point, time + 0.5 * step)[1];
+    const double force = muscle->force_density(now, point, time + step)[1];
     const double u_new = n == 0 ? u + step * force : (4. * u - u_old + 2. * step * force) / 3.;
     u_old              = u;
     u                  = u_new;
-    muscle->accept_step();
+    memory             = now.after;
   }
   return {impulse, u};
+}
+
+// As a checkpoint keeps it and gives it back.
+Contraction unpack_contraction(const Contraction &contraction)
+{
+  Contraction result;
+  unpack(pack(contraction), result);
+  return result;
 }
 
 void test_bang_bang()
@@ -96,74 +123,69 @@ void test_bang_bang()
             << rounded(compute_impulses(1.3, 2000, 0.05).bdf2) << std::endl;
 
   // A crossing at a known place in a step; resuming; command and distribution
-  MuscleParameters parameters   = get_bang_bang();
-  parameters.force_distribution = "2*s + 10*y";
-  parameters.regions            = {"tail"};
-  parameters.ramp.duration      = 4.;
+  Entries entries               = get_bang_bang();
+  entries["Force distribution"] = "2*s + 10*y";
+  entries["Regions"]            = "tail";
+  entries["Start-up ramp"]      = "4";
   const std::map<std::string, types::material_id> regions{{"head", 1}, {"tail", 7}};
-  const auto   muscle  = create_muscle<2>(parameters, 2., regions);
-  const auto   resumed = create_muscle<2>(parameters, 2., regions);
-  SwimmerState state;
+  const auto                                      muscle = make_muscle(entries, 2., regions);
+  SwimmerState                                    state;
   state.time             = 1.9;
   state.step             = 0.2;
   state.lateral_position = 0.04;
   state.lateral_velocity = 0.2;
-  muscle->set_command({0.5, 0.75});
-  muscle->prepare_step(state);
+  const Contraction now  = muscle->contract(muscle->get_initial_memory(), state, {0.5, 0.75});
   std::cout << "Switching at a quarter of the step, mean sign -0.5, gain 0.5, bias 0.75, half "
                "way up the ramp: activation "
-            << muscle->activation() << "\n  force "
-            << muscle->force_density({Point<2>(1., 0.1), 7}, 2.) << ", outside its region "
-            << muscle->force_density({Point<2>(1., 0.1), 1}, 2.) << std::endl;
-  muscle->accept_step();
-  resumed->set_command({0.5, 0.75});
-  resumed->set_state(muscle->get_state());
-  state.time             = 2.1;
-  state.lateral_position = 0.08;
-  muscle->prepare_step(state);
-  resumed->prepare_step(state);
+            << muscle->activation(now) << "\n  force "
+            << muscle->force_density(now, {Point<2>(1., 0.1), 7}, 2.) << ", outside its region "
+            << muscle->force_density(now, {Point<2>(1., 0.1), 1}, 2.) << std::endl;
+  state.time                = 2.1;
+  state.lateral_position    = 0.08;
+  const Contraction resumed = unpack_contraction(now);
   std::cout << "Driven back while beyond the position it does not switch: activation "
-            << muscle->activation() << ", resumed " << resumed->activation() << std::endl;
+            << muscle->activation(muscle->contract(now.after, state, {0.5, 0.75})) << ", resumed "
+            << muscle->activation(muscle->contract(resumed.after, state, {0.5, 0.75})) << std::endl;
 }
 
 void test_travelling_wave()
 {
-  MuscleParameters parameters;
-  parameters.type                                     = "travelling wave";
-  parameters.travelling_wave.maximum_active_stress    = 100.;
-  parameters.travelling_wave.envelope                 = "s^2";
-  parameters.travelling_wave.wave_number              = 1.5;
-  parameters.travelling_wave.frequency                = 2.;
-  parameters.travelling_wave.reference_half_thickness = 0.05;
-  const auto     muscle                               = create_muscle<3>(parameters, 2.);
-  const Point<3> s(1., 0.02, 0.3);
+  const auto        muscle = make_muscle<3>({{"Type", "travelling wave"},
+                                             {"Travelling wave/Maximum active stress", "100"},
+                                             {"Travelling wave/Envelope", "s^2"},
+                                             {"Travelling wave/Wave number", "1.5"},
+                                             {"Travelling wave/Frequency", "2"},
+                                             {"Travelling wave/Reference half thickness", "0.05"}},
+                                     2.);
+  const Contraction now;
+  const Point<3>    s(1., 0.02, 0.3);
   // 100 Pa * 0.5^2 * (0.02/0.1) * sin(2 pi (2*0.1 - 1.5*0.5))
-  std::cout << "Wave: " << muscle->active_stress({s, 0}, 0.1)[0][0] << " = "
+  std::cout << "Wave: " << muscle->active_stress(now, {s, 0}, 0.1)[0][0] << " = "
             << 5. * std::sin(omega * (0.2 - 0.75)) << ", on the other side "
-            << muscle->active_stress({Point<3>(1., -0.02, 0.3), 0}, 0.1)[0][0]
+            << muscle->active_stress(now, {Point<3>(1., -0.02, 0.3), 0}, 0.1)[0][0]
             << ", with the crest's speed later and further back "
-            << muscle->active_stress({Point<3>(1.2, 0.02, 0.), 0}, 0.175)[0][0] / 0.36 * 0.25
-            << "\n  lateral stress " << muscle->active_stress({s, 0}, 0.1)[1][1] << ", force "
+            << muscle->active_stress(now, {Point<3>(1.2, 0.02, 0.), 0}, 0.175)[0][0] / 0.36 * 0.25
+            << "\n  lateral stress " << muscle->active_stress(now, {s, 0}, 0.1)[1][1] << ", force "
             << muscle->has_force() << ", active stress " << muscle->has_active_stress()
             << std::endl;
 }
 
 void test_fibres()
 {
-  MuscleParameters parameters;
-  parameters.type             = "fibres";
-  parameters.regions          = {"wall"};
-  parameters.fibres.tension   = "5*x*t";
-  parameters.fibres.direction = "-y; x";
-  const auto         muscle   = create_muscle<2>(parameters, 1., {{"wall", 3}});
+  const auto         muscle = make_muscle({{"Type", "fibres"},
+                                           {"Regions", "wall"},
+                                           {"Fibres/Tension", "5*x*t"},
+                                           {"Fibres/Direction", "-y; x"}},
+                                          1., {{"wall", 3}});
+  const Contraction  now;
   const Point<2>     s(0.4, 0.3);
-  const Tensor<2, 2> stress = muscle->active_stress({s, 3}, 2.);
+  const Tensor<2, 2> stress = muscle->active_stress(now, {s, 3}, 2.);
   // 5*0.4*2 Pa along (-0.6, 0.8)
   std::cout << "Fibres: " << stress << ", outside their region "
-            << muscle->active_stress({s, 0}, 2.).norm() << std::endl;
+            << muscle->active_stress(now, {s, 0}, 2.).norm() << std::endl;
   try
   {
-    muscle->active_stress({Point<2>(), 3}, 1.);
+    muscle->active_stress(now, {Point<2>(), 3}, 1.);
   }
   catch (const ExceptionBase &exception)
   {
@@ -200,14 +222,13 @@ void test_table()
             << table.value(0.4 * 7. + 0.1, 1.) << ' ' << table.value(-0.3, 2.) << ", largest "
             << table.get_maximum() << std::endl;
 
-  MuscleParameters parameters;
-  parameters.type               = "table";
-  parameters.table.file         = "muscle_table.txt";
-  parameters.table.periodic     = true;
-  parameters.force_distribution = "s";
-  const auto muscle             = create_muscle<2>(parameters, 2.);
-  muscle->set_command({2., 0.5});
-  std::cout << "  force " << muscle->force_density({Point<2>(1.5, 0.), 0}, 0.05)
+  const auto muscle = make_muscle({{"Type", "table"},
+                                   {"Table/File", "muscle_table.txt"},
+                                   {"Table/Periodic", "true"},
+                                   {"Force distribution", "s"}},
+                                  2.);
+  std::cout << "  force "
+            << muscle->force_density(command(*muscle, {2., 0.5}), {Point<2>(1.5, 0.), 0}, 0.05)
             << " = (2*3 + 0.5*8)*0.75" << std::endl;
 
   write("0 1\n1 2\n");
@@ -226,19 +247,20 @@ void test_table()
 
 void test_controllers()
 {
-  ControllerParameters parameters;
-  parameters.target_heading = 0.1;
-  parameters.heading_gain   = 2.;
-  parameters.yaw_rate_gain  = 0.5;
-  parameters.target_speed   = 1.;
   SwimmerState state;
   state.heading  = 0.2;
   state.yaw_rate = -0.1;
   state.speed    = 1.25;
   for (const std::string type : {"none", "heading", "speed"})
   {
-    parameters.type         = type;
-    const auto   controller = create_controller(parameters);
+    ControllerParameters parameters;
+    set_entries(parameters, "Controller",
+                {{"Type", type},
+                 {"Heading/Target heading", "0.1"},
+                 {"Heading/Heading gain", "2"},
+                 {"Heading/Yaw rate gain", "0.5"},
+                 {"Speed/Target speed", "1"}});
+    const auto   controller = parameters.type.create();
     SwimmerState far        = state;
     far.heading             = 3.;
     far.speed               = -5.;
@@ -247,29 +269,24 @@ void test_controllers()
     std::cout << "Controller " << type << ": gain " << a.gain << ", bias " << a.bias
               << "; far off: gain " << b.gain << ", bias " << b.bias << std::endl;
   }
-  parameters.largest_gain = 0.5;
+  ControllerParameters parameters;
+  set_entries(parameters, "Controller", {{"Type", "speed"}, {"Speed/Largest gain", "0.5"}});
   expect_sentence([&] { parameters.check("Body fish"); });
 }
 
 void test_bad_parameters()
 {
-  ParameterHandler prm;
-  MuscleParameters parameters;
-  parameters.add_parameters(prm);
-  prm.parse_input_from_string("subsection Muscle\n"
-                              "  set Type = bang-bang\n"
-                              "  set Regions = tail, tongue\n"
-                              "  subsection Bang-bang\n    set Switching position = -0.1\n  end\n"
-                              "end");
   const std::map<std::string, types::material_id> regions{{"head", 1}, {"tail", 7}};
-  expect_sentence([&] { parameters.check("Body fish"); });
-  expect_sentence([&] { create_muscle<2>(parameters, 1., regions); });
-  parameters.force_distribution = "s*(";
-  expect_sentence([&] { parameters.check("Body fish"); });
-  parameters.force_distribution = "1/(s-0.5)";
-  expect_sentence([&] { parameters.check("Body fish"); });
-  parameters.type = "steam engine";
-  expect_sentence([&] { create_muscle<2>(parameters, 1., regions); });
+  Entries                                         entries = get_bang_bang();
+  entries["Regions"]                                      = "tail, tongue";
+  entries["Bang-bang/Switching position"]                 = "-0.1";
+  expect_sentence([&] { make_muscle(entries, 1., regions); });
+  entries["Bang-bang/Switching position"] = "0.05";
+  expect_sentence([&] { make_muscle(entries, 1., regions); });
+  entries["Force distribution"] = "s*(";
+  expect_sentence([&] { make_muscle(entries, 1., regions); });
+  entries["Force distribution"] = "1/(s-0.5)";
+  expect_sentence([&] { make_muscle(entries, 1., regions); });
 }
 
 int main()

@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 struct Ellipsoid
@@ -30,7 +31,7 @@ Potentials compute(const Surface &surface, const Ellipsoid &ellipsoid, const Poi
     for (unsigned int d = 0; d < 3; ++d)
       motion.positions.back()[d] += ellipsoid.axes[d] * reference[d];
   }
-  return BoundaryElements(surface, MPI_COMM_WORLD).compute_potentials(motion);
+  return BoundaryElements(surface, MPI_COMM_WORLD).solve(motion).get_potentials();
 }
 
 double get_volume(const Ellipsoid &e)
@@ -62,7 +63,7 @@ int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const Surface surfaces[] = {Surface({3, 3, ""}), Surface({6, 6, ""}), Surface({8, 7, ""})};
+  const Surface                    surfaces[] = {Surface({3, 3}), Surface({6, 6}), Surface({8, 7})};
 
   for (const Ellipsoid &e : ellipsoids)
   {

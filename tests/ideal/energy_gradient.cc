@@ -3,11 +3,13 @@
 // with and without the use of mirror symmetry, and of the body; the second derivatives of places.
 
 #include <caudal/ideal/boundary_elements.h>
-#include <caudal/ideal/gait.h>
+
+#include "bodies.h"
 
 #include <cmath>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 std::string below(const double value, const double limit)
@@ -46,15 +48,12 @@ std::vector<double> differentiate(const std::vector<double> &c, const Function &
   return gradient;
 }
 
-void check(const std::string &name, const GaitParameters &gait_parameters,
-           const ShapeParameters &shape_parameters, const bool is_root)
+void check(const std::string &name, const Surface &surface, const TestBody &body,
+           const bool is_root)
 {
-  const Surface    surface({3, 2, ""});
-  const auto       shape       = create_shape(shape_parameters, surface);
-  const auto       gait        = create_gait(gait_parameters);
-  const auto       deformation = gait->create_deformation(surface, *shape);
-  const GaitState  at          = gait->evaluate(0.7);
-  const double     length      = deformation->get_length();
+  const auto &[straight, gait, deformation] = body;
+  const GaitState  at                       = gait->evaluate(0.7);
+  const double     length                   = deformation->get_length();
   BoundaryElements elements(surface, MPI_COMM_WORLD);
 
   // Rotations, translations, modes
@@ -73,9 +72,9 @@ void check(const std::string &name, const GaitParameters &gait_parameters,
       return moved;
     };
     const auto differences = differentiate(at.c, [&](const std::vector<double> &c) {
-      return 0.5 * elements.compute_potentials(place(c)).added_mass.matrix_norm_square(motion);
+      return 0.5 * elements.solve(place(c)).get_potentials().added_mass.matrix_norm_square(motion);
     });
-    const auto gradient    = elements.solve(place(at.c))->compute_energy_gradient(u, rates);
+    const auto gradient    = elements.solve(place(at.c)).compute_energy_gradient(u, rates);
     if (is_root)
       std::cout << name << (height > 0. ? ", moved" : "") << ": gradient of the fluid's energy "
                 << below(compare(gradient, differences), 1e-7) << std::endl;
@@ -107,14 +106,10 @@ int main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-  ShapeParameters shape;
-  shape.stations = "0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3";
-  GaitParameters gait;
-  check("joints", gait, shape, is_root);
-  gait.type = "curvature";
-  check("curvature", gait, shape, is_root);
-  gait.type  = "deforming sphere";
-  shape.type = "ellipsoid";
-  shape.axes = {0.1, 0.1, 0.1};
-  check("deforming sphere", gait, shape, is_root);
+  const Surface surface({3, 2});
+  const Entries fish = {{"Stations/Table", "0.1, 3e-3, 4e-3; 0.5, 5e-3, 9e-3; 0.9, 1e-3, 8e-3"}};
+  check("joints", surface, TestBody(surface, fish, {}), is_root);
+  check("curvature", surface, TestBody(surface, fish, {{"Type", "curvature wave"}}), is_root);
+  check("displacement", surface, TestBody(surface, fish, {{"Type", "travelling wave"}}), is_root);
+  check("deforming sphere", surface, TestBody(surface, 0.1, 0.1), is_root);
 }

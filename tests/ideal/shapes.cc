@@ -2,16 +2,18 @@
 // derivatives of positions; a bend keeps the volume and the body's mass matrix is that of the
 // moving matter; symmetries of the gaits; the deforming sphere keeps its volume; splines.
 
-#include <caudal/ideal/bending_body.h>
+#include <caudal/fish/cubic_spline.h>
+#include <caudal/fish/profile.h>
 #include <caudal/ideal/boundary_elements.h>
-#include <caudal/ideal/cubic_spline.h>
-#include <caudal/ideal/gait.h>
-#include <caudal/ideal/profile.h>
+#include <caudal/ideal/mesh_body.h>
+
+#include "bodies.h"
 
 #include <cmath>
 #include <fstream>
 #include <iostream>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 std::string below(const double value, const double limit)
@@ -67,25 +69,23 @@ void check_interpolation()
 {
   const std::vector<double> s = {0.03, 0.35, 0.8, 0.93, 0.99},
                             a = {0.4e-3, 10e-3, 1.7e-3, 1e-3, 0.4e-3};
-  ShapeParameters     parameters;
-  const Surface       surface({1, 1, ""});
+  std::string         table;
   const auto          round = [](const double x) { return 2. * std::sqrt(x * (1. - x)); };
   std::vector<double> logarithms;
   for (unsigned int i = 0; i < s.size(); ++i)
   {
-    parameters.stations += (i > 0 ? "; " : "") + Patterns::Tools::to_string(s[i]) + ", " +
-                           Patterns::Tools::to_string(a[i]) + ", 1e-3";
+    table += (i > 0 ? "; " : "") + Patterns::Tools::to_string(s[i]) + ", " +
+             Patterns::Tools::to_string(a[i]) + ", 1e-3";
     logarithms.push_back(std::log(a[i] / round(s[i])));
   }
   const CubicSpline spline(s, logarithms, false);
   for (const std::string type : {"spline", "limited"})
   {
-    parameters.interpolation = type;
-    const auto shape         = create_shape(parameters, surface);
+    const auto shape = make_body({{"Stations/Table", table}, {"Stations/Interpolation", type}});
     double     miss = 0., overshoot = 0., from_spline = 0.;
     for (unsigned int i = 0; i < s.size(); ++i)
     {
-      const double length = parameters.length;
+      const double length = shape->get_length();
       miss                = std::max(miss, std::abs(shape->half_width(s[i] * length) / a[i] - 1.));
       for (double t = 0.; i + 1 < s.size() && t <= 1.; t += 0.01)
       {
@@ -104,14 +104,10 @@ void check_interpolation()
 
 // The body's kinetic energy for given rates of all motions, by sampling points inside. They
 // are moved by differences of the positions of the section that they belong to.
-void check_body(const std::string &name, const GaitParameters &gait_parameters,
-                const ShapeParameters &shape_parameters)
+void check_body(const std::string &name, const Surface &surface, const TestBody &body)
 {
-  const Surface   surface({12, 8, ""});
-  const auto      shape       = create_shape(shape_parameters, surface);
-  const auto      gait        = create_gait(gait_parameters);
-  const auto      deformation = gait->create_deformation(surface, *shape);
-  const GaitState at          = gait->evaluate(0.7);
+  const auto &[straight, gait, deformation] = body;
+  const GaitState at                        = gait->evaluate(0.7);
 
   double mode_error = 0.;
   for (unsigned int i = 0; i < at.c.size(); ++i)
@@ -136,13 +132,13 @@ void check_body(const std::string &name, const GaitParameters &gait_parameters,
 
   BoundaryElements         elements(surface, MPI_COMM_SELF);
   const FullMatrix<double> bent = deformation->compute_body_mass(at.c);
-  const double             straight =
+  const double             straight_volume =
       deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
-  const double volume = elements.compute_potentials(deformation->place(at.c)).volume;
+  const double volume = elements.solve(deformation->place(at.c)).get_potentials().volume;
   std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
             << below(rate_error, 1e-8) << ", volume of the body "
-            << below(std::abs(bent(3, 3) / straight - 1.), 1e-7) << ", of its surface "
-            << below(std::abs(volume / straight - 1.), 5e-4) << ", bend "
+            << below(std::abs(bent(3, 3) / straight_volume - 1.), 1e-7) << ", of its surface "
+            << below(std::abs(volume / straight_volume - 1.), 5e-4) << ", bend "
             << (deformation->compute_bend(at.c) < 1. ? "ok" : "bad") << ", reciprocal "
             << is_reciprocal(*gait) << ", glide symmetry " << has_glide_symmetry(*gait)
             << std::endl;
@@ -151,16 +147,11 @@ void check_body(const std::string &name, const GaitParameters &gait_parameters,
 // Against the moments of an ellipsoid about its nose.
 void check_ellipsoid()
 {
-  ShapeParameters parameters;
-  parameters.type = "ellipsoid";
-  parameters.axes = {3., 2., 1.};
-  GaitParameters rigid;
-  rigid.type = "none";
-  const Surface            surface({2, 2, ""});
-  const auto               shape = create_shape(parameters, surface);
-  const FullMatrix<double> mass =
-      create_gait(rigid)->create_deformation(surface, *shape)->compute_body_mass({});
-  const double volume = 4. / 3. * numbers::PI * 6.;
+  const Surface            surface({2, 2});
+  const TestBody           body(surface, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "3, 2, 1"}},
+                                {{"Type", "none"}});
+  const FullMatrix<double> mass   = body.deformation->compute_body_mass({});
+  const double             volume = 4. / 3. * numbers::PI * 6.;
   std::cout << "ellipsoid: volume " << below(std::abs(mass(3, 3) / volume - 1.), 1e-8)
             << ", moments about the nose "
             << below(std::abs(mass(0, 0) / volume - (4. + 1.) / 5.), 1e-7) << ' '
@@ -177,21 +168,19 @@ void check_file()
                                "5 2 -1 1\n6 4 -1 1\n7 4 1 1\n8 2 1 1\n"
                                "1 0 quad 1 4 3 2\n2 0 quad 5 6 7 8\n3 0 quad 1 2 6 5\n"
                                "4 0 quad 3 4 8 7\n5 0 quad 1 5 8 4\n6 0 quad 2 3 7 6\n";
-  const Surface   surface({1, 1, "cube.ucd"});
-  ShapeParameters parameters;
-  parameters.type      = "file";
-  const auto     shape = create_shape(parameters, surface);
-  GaitParameters rigid;
-  rigid.type      = "none";
-  const auto body = create_gait(rigid)->create_deformation(surface, *shape);
-  const auto mass = body->compute_body_mass({});
-  std::cout << "cube from a file: length " << shape->get_length() << ", volume "
+  const Surface     surface({1, 1}, "cube.ucd");
+  const MeshBody    shape(surface);
+  const auto        gait = make_gait({{"Type", "none"}}, shape.get_length());
+  const BendingBody body(surface, shape, *gait);
+  const auto        mass = body.compute_body_mass({});
+  std::cout << "cube from a file: length " << shape.get_length() << ", volume "
             << below(std::abs(mass(3, 3) - 8.), 1e-12) << ", moments about the nose "
             << below(std::abs(mass(0, 0) - 8. * 2. / 3.), 1e-12) << ' '
             << below(std::abs(mass(2, 2) - 8. * (1. + 2. / 3.)), 1e-12) << ", added mass "
             << std::lround(100. *
                            BoundaryElements(surface, MPI_COMM_SELF)
-                               .compute_potentials(body->place({}))
+                               .solve(body.place({}))
+                               .get_potentials()
                                .added_mass(3, 3) /
                            8.)
             << " %" << std::endl;
@@ -205,24 +194,27 @@ int main(int argc, char **argv)
   check_ellipsoid();
   check_file();
 
-  ShapeParameters fish;
-  fish.stations = salmon;
-  GaitParameters gait;
-  check_body("arctangent", gait, fish);
-  gait.wave_number = 0.;
-  check_body("without lag", gait, fish);
-  gait.wave_number = 1.;
-  gait.bias        = 5.;
-  check_body("biased", gait, fish);
-  gait.bias   = 0.;
-  gait.type   = "sine";
-  gait.growth = 0.7;
-  check_body("sine", gait, fish);
-  gait.type      = "curvature";
-  gait.curvature = 3.;
-  check_body("curvature", gait, fish);
-  gait.wave_number = 0.;
-  check_body("curvature without lag", gait, fish);
+  const Surface surface({12, 8});
+  const Entries fish       = {{"Stations/Table", salmon}};
+  const auto    check_fish = [&](const std::string &name, const Entries &gait) {
+    check_body(name, surface, TestBody(surface, fish, gait));
+  };
+  check_fish("arctangent", {});
+  check_fish("without lag", {{"Wave number", "0"}});
+  check_fish("biased", {{"Bias", "5"}});
+  check_fish("sine", {{"Type", "sine"}, {"Growth", "0.7"}});
+  check_fish("curvature",
+             {{"Type", "curvature wave"}, {"Growth", "0.7"}, {"Curvature wave/Amplitude", "3"}});
+  check_fish("curvature without lag", {{"Type", "curvature wave"},
+                                       {"Growth", "0.7"},
+                                       {"Curvature wave/Amplitude", "3"},
+                                       {"Wave number", "0"}});
+  check_fish("started", {{"Type", "sine"}, {"Start-up ramp", "1"}});
+  check_fish("displacement", {{"Type", "travelling wave"}});
+  check_fish("displacement without lag",
+             {{"Type", "travelling wave"}, {"Travelling wave/Wave number", "0"}});
+  check_fish("given curvature",
+             {{"Type", "curvature"}, {"Curvature/Function", "10*(0.5 + s)*sin(2*pi*(t - s))"}});
 
   std::ofstream table("table.csv");
   table << "time,a,b,c,d,e,f\n";
@@ -234,13 +226,9 @@ int main(int argc, char **argv)
     table << "\n";
   }
   table.close();
-  gait.type  = "table";
-  gait.table = "table.csv";
-  check_body("table", gait, fish);
-  std::cout << "  frequency " << create_gait(gait)->get_frequencies()[0] << " Hz" << std::endl;
-
-  fish.type = "ellipsoid";
-  fish.axes = {0.1, 0.1, 0.1};
-  gait.type = "deforming sphere";
-  check_body("deforming sphere", gait, fish);
+  const Entries control = {{"Type", "table"}, {"Table/File", "table.csv"}};
+  check_fish("table", control);
+  std::cout << "  frequency " << make_gait(control, 0.1)->get_frequencies()[0] << " Hz"
+            << std::endl;
+  check_body("deforming sphere", surface, TestBody(surface, 0.1, 0.1));
 }

@@ -5,11 +5,14 @@
 #include <caudal/ideal/phase_table.h>
 #include <caudal/ideal/resistance.h>
 
+#include "bodies.h"
+
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <numeric>
 
+using namespace caudal;
 using namespace caudal::ideal;
 
 const std::string salmon =
@@ -37,14 +40,20 @@ void integrate_motion(const MotionProblem &problem, BodyState body,
 // A body with its gait, and the table of its stroke.
 struct Swimmer
 {
-  Swimmer(const SurfaceParameters &cells, const ShapeParameters &shape_parameters,
-          const GaitParameters &gait_parameters, const unsigned int n_phases,
-          const Torques torques = Torques::none)
+  Swimmer(const SurfaceParameters &cells, const Entries &shape, const Entries &gait,
+          const unsigned int n_phases, const Torques torques = Torques::none)
       : surface(cells)
-      , shape(create_shape(shape_parameters, surface))
-      , gait(create_gait(gait_parameters))
-      , deformation(gait->create_deformation(surface, *shape))
-      , swimming_shape(surface, *deformation, *gait, Densities(), torques, MPI_COMM_SELF)
+      , body(surface, shape, gait)
+      , swimming_shape(surface, *body.deformation, *body.gait, Densities(), torques, MPI_COMM_SELF)
+      , table(swimming_shape, n_phases, MPI_COMM_WORLD)
+  {}
+
+  // The pulsating sphere of unit radius.
+  Swimmer(const unsigned int n_cells, const double amplitude, const unsigned int n_phases)
+      : surface({n_cells, n_cells})
+      , body(surface, 1., amplitude)
+      , swimming_shape(surface, *body.deformation, *body.gait, Densities(), Torques::none,
+                       MPI_COMM_SELF)
       , table(swimming_shape, n_phases, MPI_COMM_WORLD)
   {}
 
@@ -55,7 +64,7 @@ struct Swimmer
     MotionProblem problem;
     problem.model      = model != nullptr ? model : &table;
     problem.rate       = 2. * numbers::PI * frequency;
-    problem.length     = deformation->get_length();
+    problem.length     = body.deformation->get_length();
     problem.integrator = steps > 0 ? Integrator::given_steps : Integrator::adaptive;
     std::vector<double> times{0.};
     const unsigned int  n = std::max(1u, steps) * n_strokes;
@@ -67,12 +76,10 @@ struct Swimmer
     return place;
   }
 
-  const Surface                      surface;
-  const std::unique_ptr<Shape>       shape;
-  const std::unique_ptr<Gait>        gait;
-  const std::unique_ptr<Deformation> deformation;
-  SwimmingShape                      swimming_shape;
-  PhaseTable                         table;
+  const Surface  surface;
+  const TestBody body;
+  SwimmingShape  swimming_shape;
+  PhaseTable     table;
 };
 
 // The mean velocity of the deforming sphere, over a eps^2 omega, at finite amplitude.
@@ -80,18 +87,12 @@ void check_deforming_sphere()
 {
   const std::pair<double, double> references[] = {
       {0.05, -0.2137189665}, {0.1, -0.212036547}, {0.2, -0.205559}};
-  ShapeParameters shape;
-  shape.type = "ellipsoid";
-  shape.axes = {1., 1., 1.};
-  GaitParameters gait;
-  gait.type = "deforming sphere";
   for (const auto &[epsilon, reference] : references)
   {
-    gait.sphere_amplitude = epsilon;
     double results[2];
     for (const unsigned int n : {3, 6})
-      results[n / 6] = Swimmer({n, n, ""}, shape, gait, 16).swim(1., 1)[0] /
-                       (2. * numbers::PI * epsilon * epsilon);
+      results[n / 6] =
+          Swimmer(n, epsilon, 16).swim(1., 1)[0] / (2. * numbers::PI * epsilon * epsilon);
     const double extrapolated = results[1] + (results[1] - results[0]) / 15.;
     std::cout << "deforming sphere, eps = " << epsilon << ": with 866 panels "
               << below(std::abs(results[1] / reference - 1.), 0.003) << ", extrapolated "
@@ -102,14 +103,10 @@ void check_deforming_sphere()
 // A spheroid bent by a wave of curvature: displacement and energy of another code.
 void check_bent_spheroid()
 {
-  ShapeParameters shape;
-  shape.type = "ellipsoid";
-  shape.axes = {0.5, 0.125, 0.125};
-  GaitParameters gait;
-  gait.type = "curvature";
-  Swimmer      swimmer({12, 6, ""}, shape, gait, 16);
+  Swimmer      swimmer({12, 6}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.5, 0.125, 0.125"}},
+                       {{"Type", "curvature wave"}}, 16);
   const double mass =
-      swimmer.deformation->compute_body_mass(swimmer.gait->evaluate(0.).c)(3, 3) * 1000.;
+      swimmer.body.deformation->compute_body_mass(swimmer.body.gait->evaluate(0.).c)(3, 3) * 1000.;
   const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
   std::cout << "bent spheroid: displacement "
             << below(std::abs(swimmer.swim(1., 1).norm() / 1.101e-2 - 1.), 0.005) << ", energy "
@@ -119,23 +116,21 @@ void check_bent_spheroid()
 // A stroke without phase lag is reciprocal; the path does not depend on the frequency.
 void check_strokes()
 {
-  ShapeParameters fish;
-  fish.stations = salmon;
-  GaitParameters gait;
-  Swimmer        swimmer({4, 3, ""}, fish, gait, 32);
-  const double   slow = swimmer.swim(0.64, 12).norm() / 12.,
+  const Entries fish = {{"Stations/Table", salmon}};
+  Entries       gait;
+  Swimmer       swimmer({4, 3}, fish, gait, 32);
+  const double  slow  = swimmer.swim(0.64, 12).norm() / 12.,
                fast   = swimmer.swim(1.43, 28).norm() / 28.;
-  gait.wave_number    = 0.;
-  const double none   = Swimmer({4, 3, ""}, fish, gait, 32).swim(1., 3).norm();
+  gait["Wave number"] = "0";
+  const double none   = Swimmer({4, 3}, fish, gait, 32).swim(1., 3).norm();
   std::cout << "salmon: displacement a stroke at .64 and 1.43 Hz the same "
             << below(std::abs(slow / fast - 1.), 1e-6) << ", without phase lag none "
             << below(none / slow, 1e-6) << std::endl;
 
   // psi -> psi + pi maps (omega_z, v_x, v_y) to (-, +, -): without use of the symmetry, since
   // an odd number of phases is not mirrored.
-  gait.wave_number = 1.;
-  gait.type        = "sine";
-  Swimmer     odd({4, 3, ""}, fish, gait, 33);
+  gait = {{"Type", "sine"}};
+  Swimmer     odd({4, 3}, fish, gait, 33);
   const Screw q = odd.table.compute_motion(0.4).compute_velocity(Screw(), 1.);
   const Screw p = odd.table.compute_motion(0.4 + numbers::PI).compute_velocity(Screw(), 1.);
   std::cout << "glide symmetry: all phases computed "
@@ -149,14 +144,13 @@ void check_strokes()
 // The work of the joints is the change of the kinetic energy; table against new surfaces.
 void check_energy_and_table()
 {
-  ShapeParameters fish;
-  fish.stations = salmon;
-  GaitParameters gait;
-  gait.type = "sine";
+  const Entries fish = {{"Stations/Table", salmon}};
+  Entries       gait;
+  gait["Type"] = "sine";
   for (const double amplitude : {10., 30.})
   {
-    gait.amplitude = amplitude;
-    Swimmer      swimmer({4, 3, ""}, fish, gait, 32, Torques::from_rest);
+    gait["Sine/Amplitude"] = Patterns::Tools::to_string(amplitude);
+    Swimmer      swimmer({4, 3}, fish, gait, 32, Torques::from_rest);
     double       error = 0., largest = 0., work = 0.;
     const double h      = 1e-3;
     const auto   energy = [&](const double psi) {
@@ -167,7 +161,7 @@ void check_energy_and_table()
     {
       const double psi     = 2. * numbers::PI * (k + 0.5) / n;
       const auto   torques = swimmer.table.compute_torques(psi, Drive());
-      const auto   rates   = swimmer.gait->evaluate(psi).rates;
+      const auto   rates   = swimmer.body.gait->evaluate(psi).rates;
       double       power   = 0.;
       for (unsigned int i = 0; i < 6; ++i)
         power += torques[i] * rates[i];
@@ -224,12 +218,11 @@ void check_load(const ExternalForce &force, const std::vector<double> &rates)
 // change of the kinetic energy; torques of the table are those of new surfaces.
 void check_torques_in_motion()
 {
-  ShapeParameters fish;
-  fish.stations = salmon;
-  GaitParameters gait;
-  gait.type      = "sine";
-  gait.amplitude = 10.; // of which a coarse surface needs no more phases
-  Swimmer              swimmer({3, 2, ""}, fish, gait, 32, Torques::any);
+  const Entries fish = {{"Stations/Table", salmon}};
+  Entries       gait;
+  gait["Type"]           = "sine";
+  gait["Sine/Amplitude"] = "10"; // of which a coarse surface needs no more phases
+  Swimmer              swimmer({3, 2}, fish, gait, 32, Torques::any);
   ResistanceParameters resistance;
   resistance.drag     = 1.;
   resistance.friction = 0.1; // Blasius's law has no dissipation function
@@ -257,7 +250,7 @@ void check_torques_in_motion()
       if (!active)
         return;
       const Load load  = problem.force({problem.rate * time, problem.rate, velocity});
-      const auto rates = swimmer.gait->evaluate(problem.rate * time).rates;
+      const auto rates = swimmer.body.gait->evaluate(problem.rate * time).rates;
       powers.back() += load.screw * velocity;
       for (unsigned int i = 0; i < rates.size(); ++i)
         powers.back() += load.on_modes[i] * problem.rate * rates[i];
@@ -273,7 +266,7 @@ void check_torques_in_motion()
       largest           = std::max(largest, std::abs(rate));
     }
     if (active)
-      check_load(problem.force, swimmer.gait->evaluate(0.7).rates);
+      check_load(problem.force, swimmer.body.gait->evaluate(0.7).rates);
     const auto   brute = create_brute_force(swimmer.swimming_shape, 1e-3);
     const Drive  drive{problem.rate, samples[50].body.impulse, start.impulse};
     const double argument = problem.rate * times[50];
@@ -289,12 +282,8 @@ void check_torques_in_motion()
 // R Lambda + r x R Pi.
 void check_free_ellipsoid()
 {
-  ShapeParameters shape;
-  shape.type = "ellipsoid";
-  shape.axes = {4., 2., 1.};
-  GaitParameters gait;
-  gait.type = "none";
-  Swimmer       swimmer({3, 3, ""}, shape, gait, 1);
+  Swimmer       swimmer({3, 3}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "4, 2, 1"}},
+                        {{"Type", "none"}}, 1);
   MotionProblem problem;
   problem.model  = &swimmer.table;
   problem.length = 8.;

@@ -1,6 +1,7 @@
 // Fields of a distributed mesh and of a body that each rank has, in both
 // formats: the list that ParaView opens, and its continuation in a resumed run.
 
+#include <caudal/base/compatibility.h>
 #include <caudal/io/field_output.h>
 
 #include <deal.II/base/function_lib.h>
@@ -28,10 +29,9 @@ namespace
     const FE_Q<2> element(1);
     DoFHandler<2> dof_handler(mesh);
     dof_handler.distribute_dofs(element);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    LinearAlgebra::distributed::Vector<double> values(dof_handler.locally_owned_dofs(), relevant,
-                                                      mesh.get_communicator());
+    LinearAlgebra::distributed::Vector<double> values(
+        dof_handler.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(dof_handler),
+        compatibility::get_communicator(mesh));
     VectorTools::interpolate(dof_handler, Functions::SquareFunction<2>(), values);
     values.update_ghost_values();
 
@@ -39,7 +39,7 @@ namespace
     data_out.attach_dof_handler(dof_handler);
     data_out.add_data_vector(values, "pressure");
     data_out.build_patches();
-    output.write(data_out, name, time, counter, mesh.get_communicator());
+    output.write(data_out, name, time, counter, compatibility::get_communicator(mesh));
   }
 } // namespace
 

@@ -12,6 +12,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "../entries.h"
+
 using namespace caudal;
 
 double round_to(const double value, const double unit)
@@ -20,13 +22,22 @@ double round_to(const double value, const double unit)
 }
 
 template <int dim>
-void report(const std::string &name, const BodyGridParameters<dim> &parameters, const double volume)
+struct ShapeFromEntries : BodyGridParameters<dim>
 {
-  const unsigned int n_regions =
-      parameters.type == "file" || parameters.type == "cylinder with flag"
-          ? 2
-          : parameters.region_boundaries.size() + 1;
-  Triangulation<dim> tria;
+  explicit ShapeFromEntries(const Entries &entries)
+  {
+    set_entries(*this, "Shape", entries);
+  }
+};
+
+template <int dim>
+void report(const std::string &name, const Entries &entries, const double volume)
+{
+  const ShapeFromEntries<dim> parameters(entries);
+  const unsigned int          n_regions = parameters.shape.type.get().get_region_entry() != ""
+                                              ? 2
+                                              : parameters.divisions.region_boundaries.size() + 1;
+  Triangulation<dim>          tria;
   make_body_grid(tria, parameters, n_regions, "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
@@ -46,74 +57,49 @@ void report(const std::string &name, const BodyGridParameters<dim> &parameters, 
   std::cout << std::endl;
 }
 
-template <int dim>
-BodyGridParameters<dim> make_parameters(const std::string &type)
-{
-  BodyGridParameters<dim> parameters;
-  parameters.type = type;
-  return parameters;
-}
-
 void report_shapes()
 {
-  auto         naca = make_parameters<2>("naca");
   const double naca_area =
       10. * 0.12 * (0.2969 * 2. / 3. - 0.1260 / 2. - 0.3516 / 3. + 0.2843 / 4. - 0.1015 / 5.);
-  naca.region_boundaries = {0.5, 0.96};
-  report("naca 0012", naca, naca_area);
-  naca.length   = 2.;
-  naca.elements = {60, 4};
-  report("naca 0012, coarse, 2 m", naca, 4. * naca_area);
-  naca.length      = 1.;
-  naca.elements    = {209, 10};
-  naca.naca_digits = "6412";
-  report("naca 6412 against 0012", naca, naca_area);
+  report<2>("naca 0012", {{"Region boundaries", "0.5, 0.96"}}, naca_area);
+  report<2>("naca 0012, coarse, 2 m",
+            {{"Region boundaries", "0.5, 0.96"}, {"Length", "2"}, {"Elements", "60, 4"}},
+            4. * naca_area);
+  report<2>("naca 6412 against 0012", {{"Region boundaries", "0.5, 0.96"}, {"Naca/Digits", "6412"}},
+            naca_area);
+  report<2>("eel", {{"Type", "eel"}}, numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05);
+  report<2>("disc", {{"Type", "disc"}}, numbers::PI * 0.01);
+  report<2>("disc, coarse, halves",
+            {{"Type", "disc"}, {"Elements", "20, 20"}, {"Region boundaries", "0.5"}},
+            numbers::PI * 0.01);
 
-  auto         eel      = make_parameters<2>("eel");
-  const double eel_area = numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05;
-  report("eel", eel, eel_area);
-
-  auto disc = make_parameters<2>("disc");
-  report("disc", disc, numbers::PI * 0.01);
-  disc.elements          = {20, 20};
-  disc.region_boundaries = {0.5};
-  report("disc, coarse, halves", disc, numbers::PI * 0.01);
-
-  auto flag      = make_parameters<2>("cylinder with flag");
-  flag.radius    = 0.05;
-  flag.length    = 0.35;
-  flag.thickness = 0.02;
-  flag.elements  = {70, 4};
   // The flag begins at the arc, which takes a segment of the circle away from it.
   const double angle = std::asin(0.2);
   const double gap   = 0.0025 * (angle - 0.5 * std::sin(2. * angle));
   const double root  = 0.02 * (0.4 - 0.05 * std::cos(angle));
-  report("cylinder with flag", flag, numbers::PI * 0.0025 + root - gap);
+  report<2>("cylinder with flag",
+            {{"Type", "cylinder with flag"},
+             {"Radius", "0.05"},
+             {"Length", "0.35"},
+             {"Thickness", "0.02"},
+             {"Elements", "70, 4"}},
+            numbers::PI * 0.0025 + root - gap);
+  report<2>("ellipse", {{"Type", "ellipse"}, {"Thickness", "0.4"}}, numbers::PI * 0.1);
+  report<2>("ring", {{"Type", "ring"}, {"Elements", "60, 4"}}, numbers::PI * (0.15 * 0.15 - 0.01));
+  report<2>("beam", {{"Type", "beam"}, {"Elements", "33, 2"}, {"Region boundaries", "0.25, 0.9"}},
+            0.1);
+  report<2>("rectangle", {{"Type", "rectangle"}}, 0.1);
+  report<2>("quadrilateral",
+            {{"Type", "quadrilateral"},
+             {"Quadrilateral/Vertices", "0, 0; 6.5, 4.4; 6.5, 6; 0, 4.4"},
+             {"Elements", "16, 8"},
+             {"Region boundaries", "0.5"}},
+            6.5 * 3.);
 
-  auto ellipse      = make_parameters<2>("ellipse");
-  ellipse.thickness = 0.4;
-  report("ellipse", ellipse, numbers::PI * 0.1);
-
-  auto ring     = make_parameters<2>("ring");
-  ring.elements = {60, 4};
-  report("ring", ring, numbers::PI * (0.15 * 0.15 - 0.01));
-
-  auto beam              = make_parameters<2>("beam");
-  beam.elements          = {33, 2};
-  beam.region_boundaries = {0.25, 0.9};
-  report("beam", beam, 0.1);
-  report("rectangle", make_parameters<2>("rectangle"), 0.1);
-  auto cook              = make_parameters<2>("quadrilateral");
-  cook.vertices          = {{0., 0.}, {6.5, 4.4}, {6.5, 6.}, {0., 4.4}};
-  cook.elements          = {16, 8};
-  cook.region_boundaries = {0.5};
-  report("quadrilateral", cook, 6.5 * 3.);
-
-  report("ball", make_parameters<3>("disc"), 4. / 3. * numbers::PI * 1e-3);
-  auto ellipsoid      = make_parameters<3>("ellipse");
-  ellipsoid.thickness = ellipsoid.width = 0.5;
-  report("ellipsoid", ellipsoid, numbers::PI / 6. * 0.25);
-  report("box", make_parameters<3>("beam"), 0.01);
+  report<3>("ball", {{"Type", "disc"}}, 4. / 3. * numbers::PI * 1e-3);
+  report<3>("ellipsoid", {{"Type", "ellipse"}, {"Thickness", "0.5"}, {"Width", "0.5"}},
+            numbers::PI / 6. * 0.25);
+  report<3>("box", {{"Type", "beam"}}, 0.01);
 }
 
 /** A strip of two cells, [0,1]x[0,1] with physical id 7 and [1,2]x[0,1] with 3. */
@@ -140,76 +126,49 @@ void print_error(const std::function<void()> &action)
   }
 }
 
-template <int dim>
-void print_error(const std::string                                    &type,
-                 const std::function<void(BodyGridParameters<dim> &)> &change,
-                 const unsigned int                                    n_regions = 1)
+template <int dim = 2>
+void print_error(const std::string &type, Entries entries, const unsigned int n_regions = 1)
 {
-  auto parameters = make_parameters<dim>(type);
-  change(parameters);
+  entries["Type"] = type;
   Triangulation<dim> tria;
-  print_error([&]() { make_body_grid(tria, parameters, n_regions, "Body x"); });
+  print_error([&]() { make_body_grid(tria, ShapeFromEntries<dim>(entries), n_regions, "Body x"); });
 }
 
 void print_bad_input()
 {
-  using Parameters = BodyGridParameters<2>;
-  print_error<2>("naca", [](Parameters &p) { p.length = -1.; });
-  print_error<2>("naca", [](Parameters &p) { p.naca_digits = "12"; });
-  print_error<2>("naca", [](Parameters &p) { p.naca_digits = "0000"; });
-  print_error<2>("naca", [](Parameters &p) { p.naca_digits = "2012"; });
-  print_error<2>("naca", [](Parameters &p) { p.elements = {100, 3}; });
-  print_error<2>(
-      "naca", [](Parameters &p) { p.region_boundaries = {0.001}; }, 2);
-  print_error<2>(
-      "eel",
-      [](Parameters &p) {
-        p.region_boundaries = {0.5, 0.2};
-      },
-      3);
-  print_error<2>(
-      "eel", [](Parameters &p) { p.region_boundaries = {0.5}; }, 3);
-  print_error<2>("disc", [](Parameters &p) { p.radius = 0.; });
-  print_error<2>(
-      "disc",
-      [](Parameters &p) {
-        p.region_boundaries = {0.5, 0.501};
-      },
-      3);
-  print_error<2>("ring", [](Parameters &p) { p.wall_thickness = 0.; });
-  print_error<2>("ring", [](Parameters &p) { p.elements = {4, 1}; });
-  print_error<2>("beam", [](Parameters &p) { p.thickness = -0.1; });
-  print_error<2>(
-      "beam",
-      [](Parameters &p) {
-        p.elements          = {1, 1};
-        p.region_boundaries = {0.5};
-      },
-      2);
-  print_error<3>("naca", [](BodyGridParameters<3> &) {});
-  print_error<3>("beam", [](BodyGridParameters<3> &p) { p.width = 0.; });
+  print_error("naca", {{"Length", "-1"}});
+  print_error("naca", {{"Naca/Digits", "12"}});
+  print_error("naca", {{"Naca/Digits", "0000"}});
+  print_error("naca", {{"Naca/Digits", "2012"}});
+  print_error("naca", {{"Elements", "100, 3"}});
+  print_error("naca", {{"Region boundaries", "0.001"}}, 2);
+  print_error("eel", {{"Region boundaries", "0.5, 0.2"}}, 3);
+  print_error("eel", {{"Region boundaries", "0.5"}}, 3);
+  print_error("disc", {{"Radius", "0"}});
+  print_error("disc", {{"Region boundaries", "0.5, 0.501"}}, 3);
+  print_error("ring", {{"Ring/Wall thickness", "0"}});
+  print_error("ring", {{"Elements", "4, 1"}});
+  print_error("beam", {{"Thickness", "-0.1"}});
+  print_error("beam", {{"Elements", "1, 1"}, {"Region boundaries", "0.5"}}, 2);
+  print_error<3>("naca", {});
+  print_error<3>("beam", {{"Width", "0"}});
 
-  print_error<2>("file", [](Parameters &) {});
-  print_error<2>("file", [](Parameters &p) { p.file = "missing.msh"; });
+  print_error("file", {});
+  print_error("file", {{"File/Name", "missing.msh"}});
   std::ofstream("broken.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0";
-  print_error<2>("file", [](Parameters &p) { p.file = "broken.msh"; });
+  print_error("file", {{"File/Name", "broken.msh"}});
   write_msh("triangles.msh", "1 1 0", true);
-  print_error<2>(
-      "file", [](Parameters &p) { p.file = "triangles.msh"; }, 2);
+  print_error("file", {{"File/Name", "triangles.msh"}}, 2);
   std::ofstream("twice.msh")
       << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
       << "3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n2\n1 3 2 1 1 1 2 3 4\n"
       << "2 3 2 2 1 1 2 3 4\n$EndElements\n";
-  print_error<2>(
-      "file", [](Parameters &p) { p.file = "twice.msh"; }, 2);
+  print_error("file", {{"File/Name", "twice.msh"}}, 2);
   write_msh("dented.msh", "0.2 0.1 0");
-  print_error<2>(
-      "file", [](Parameters &p) { p.file = "dented.msh"; }, 2);
+  print_error("file", {{"File/Name", "dented.msh"}}, 2);
   write_msh("strip.msh");
-  print_error<2>(
-      "file", [](Parameters &p) { p.file = "strip.msh"; }, 3);
-  print_error<3>(
-      "file", [](BodyGridParameters<3> &p) { p.file = "strip.msh"; }, 2);
+  print_error("file", {{"File/Name", "strip.msh"}}, 3);
+  print_error<3>("file", {{"File/Name", "strip.msh"}}, 2);
 }
 
 int main()
@@ -218,18 +177,15 @@ int main()
   report_shapes();
 
   write_msh("strip.msh", "1.2 1 0");
-  auto file = make_parameters<2>("file");
-  file.file = "strip.msh";
-  report("file", file, 2.);
+  report<2>("file", {{"Type", "file"}, {"File/Name", "strip.msh"}}, 2.);
 
-  ParameterHandler      prm;
-  BodyGridParameters<2> parsed;
-  parsed.add_parameters(prm);
-  prm.parse_input_from_string("subsection Shape\n set Type = eel\n set Elements = 100, 6\n"
-                              " set Position = 1, 2\n set Rotation = 90\n"
-                              " set Region boundaries = 0.3, 0.6\nend");
-  report("parsed eel", parsed, 0.0486);
-  const Point<2> placed = place_in_domain(parsed, Point<2>(0.5, 0.1));
+  const Entries eel = {{"Type", "eel"},
+                       {"Elements", "100, 6"},
+                       {"Position", "1, 2"},
+                       {"Rotation", "90"},
+                       {"Region boundaries", "0.3, 0.6"}};
+  report<2>("parsed eel", eel, 0.0486);
+  const Point<2> placed = place_in_domain(ShapeFromEntries<2>(eel), Point<2>(0.5, 0.1));
   std::cout << "placed at " << round_to(placed[0], 1e-6) << ' ' << round_to(placed[1], 1e-6)
             << std::endl;
 

@@ -4,6 +4,7 @@
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/outcome.h>
 #include <caudal/base/parameter_file.h>
+#include <caudal/io/figures.h>
 #include <caudal/io/output_folder.h>
 
 #include <functional>
@@ -12,7 +13,7 @@ namespace caudal
 {
   /**
    * A case of the model @p Swimmer as its parameter file describes it, which starts, or goes on
-   * from a checkpoint. The swimmer names its Parameters and the State that a checkpoint holds,
+   * from a checkpoint. The swimmer names its Parameters and its Checkpoint,
    * and is constructed for each run.
    */
   template <class Swimmer>
@@ -20,7 +21,7 @@ namespace caudal
   {
   public:
     using Parameters = typename Swimmer::Parameters;
-    using State      = typename Swimmer::State;
+    using Checkpoint = typename Swimmer::Checkpoint;
 
     /** Reads and checks all parameters. */
     ModelRun(const ParameterFile &file, MPI_Comm communicator);
@@ -39,8 +40,12 @@ namespace caudal
   private:
     const ParameterFile &file;
     const MPI_Comm       communicator;
+    FigureParameters     figures;
     ParameterValues      values;
     std::string          text; // of all parameters
+
+    /** What the user should know of the parameters that were given. */
+    std::vector<std::string> remarks;
 
     Outcome run(Swimmer &swimmer, OutputFolder::Start start,
                 const std::vector<std::string> &messages,

@@ -8,13 +8,10 @@
 namespace caudal
 {
   /**
-   * Runs @p n_steps of the case, an even number, and half of them, resumed for the other half,
-   * and compares: the last checkpoints, the tables and the list of fields, byte by byte.
-   * Returns what was compared; throws if there is a difference. The results are left in
+   * Runs @p n_steps of the case without a checkpoint; then again, but stopped after a random step
+   * and resumed for the rest. Compares the final states, the tables and the list of fields, byte by
+   * byte. Returns what was compared; throws if there is a difference. The results are left in
    * `<Output/Folder>.verify`.
-   *
-   * The immersed swimmer's checkpoints restart its solver; a third run without a checkpoint must
-   * differ by no more than the solver allows.
    */
   template <class Swimmer>
   std::string verify_restart(const ParameterFile &file, unsigned int n_steps,

@@ -33,9 +33,6 @@ namespace caudal
 
   /** How to call the program. */
   std::string get_help();
-
-  /** The program's name and version. */
-  std::string get_version();
 } // namespace caudal
 
 #endif

@@ -15,10 +15,12 @@ namespace caudal
   /** An entry as it was declared to a ParameterHandler. */
   struct DeclaredEntry
   {
-    std::string name;
-    std::string default_value;
-    std::string allowed; // in words: "a number >= 0"
-    std::string documentation;
+    std::string              name;
+    std::string              value; // at present
+    std::string              default_value;
+    std::string              allowed; // in words: "a number >= 0"
+    std::vector<std::string> choices; // if one of some names is allowed
+    std::string              documentation;
   };
 
   /** What was declared in a section of a ParameterHandler, in that order. */

@@ -3,26 +3,45 @@
 
 #include <deal.II/base/function_parser.h>
 
-#include <memory>
 #include <string>
 
 namespace caudal
 {
+  using namespace dealii;
+
   /**
-   * The function that the .prm gives as text: of the coordinates x, y (z) and
-   * the time t, its components separated by ';'. @p path is the entry that
-   * error messages name. Throws if the text is not a function of
-   * @p n_components components.
+   * A function that the .prm gives as text. Its values are finite: where it is not defined,
+   * evaluation throws a sentence with the entry, the text and the place.
    */
   template <int dim>
-  std::unique_ptr<dealii::FunctionParser<dim>> make_expression(const std::string &path,
-                                                               const std::string &expression,
-                                                               unsigned int       n_components);
+  class Expression : public Function<dim>
+  {
+  public:
+    /**
+     * A function of the coordinates x, y (z) and the time t, its @p n_components components
+     * separated by ';'. @p path is the entry that errors name. Throws if the text is none.
+     */
+    Expression(const std::string &path, const std::string &text, unsigned int n_components);
 
-  /** Throws unless the function is finite at @p point: to be called where it is evaluated. */
-  template <int dim>
-  void check_finite(const std::string &path, const std::string &expression,
-                    const dealii::Function<dim> &function, const dealii::Point<dim> &point);
+    /** A function of dim other @p variables, separated by ',': "s,y". */
+    Expression(const std::string &path, const std::string &variables, const std::string &text);
+
+    /** A copy, which parses the text once more. */
+    Expression(const Expression &other);
+
+    double value(const Point<dim> &point, unsigned int component = 0) const override;
+    void   vector_value(const Point<dim> &point, Vector<double> &values) const override;
+    void   set_time(double time) override;
+
+  private:
+    const std::string   path, variables, text;
+    const bool          is_in_space;
+    FunctionParser<dim> function;
+
+    void        parse();
+    void        check(double value, const Point<dim> &point) const;
+    std::string describe_place(const Point<dim> &point) const;
+  };
 } // namespace caudal
 
 #endif

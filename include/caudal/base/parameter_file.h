@@ -1,7 +1,7 @@
 #ifndef caudal_base_parameter_file_h
 #define caudal_base_parameter_file_h
 
-#include <deal.II/base/parameter_handler.h>
+#include <caudal/base/declared_parameters.h>
 
 #include <set>
 #include <string>
@@ -10,6 +10,17 @@
 namespace caudal
 {
   using namespace dealii;
+
+  /** An entry or a section that had another name in an earlier version. */
+  struct RenamedEntry
+  {
+    /** Its path; a `*` stands for any part of a name, as in `Body *` with what follows. */
+    std::string old_path;
+    /** In the same order, each `*` stands for what it stood for in the old path. */
+    std::string new_path;
+    /** If given, only this value is meant, and has another name, too. */
+    std::string old_value = "", new_value = "";
+  };
 
   /**
    * A parameter file (.prm) with everything that it includes, and the
@@ -33,6 +44,18 @@ namespace caudal
     explicit ParameterFile(const std::string &file, const std::vector<std::string> &overrides = {});
 
     /**
+     * Takes what was set by a former name as if it had been set by the present one; of the names
+     * that fit, the first counts. Throws if a file sets both.
+     */
+    void rename(const std::vector<RenamedEntry> &renamed_entries);
+
+    /** Sentences about the former names that rename() has found, with their places. */
+    const std::vector<std::string> &get_hints() const
+    {
+      return hints;
+    }
+
+    /**
      * The last value given to an entry ("Section/Subsection/Entry"), or
      * @p default_value: without declarations, for the entries that decide
      * which sections are declared.
@@ -45,6 +68,12 @@ namespace caudal
      * its pattern and every required entry that was not given.
      */
     void parse(ParameterHandler &prm) const;
+
+    /**
+     * Sentences about the entries that have been set for plug-ins which @p prm, after parse(), does
+     * not choose, to other than their default values.
+     */
+    std::vector<std::string> find_idle_entries(const ParameterHandler &prm) const;
 
     /** The overrides, as they were given. */
     const std::vector<std::string> &get_overrides() const
@@ -63,14 +92,26 @@ namespace caudal
       std::string entry;
       std::string value;
       std::string origin; // "fish.prm:12" or the override
+      bool        is_override = false;
+      /** Whether entries of this section were renamed, which itself may exist no more. */
+      bool is_former = false;
     };
 
     void read(const std::string &file, const std::string &included_from, Sections sections,
               std::set<std::string> &open_files);
     void read_override(const std::string &text);
 
+    static std::string get_path(const Assignment &assignment);
+
+    void rename(Assignment &assignment, const RenamedEntry &renamed,
+                const std::vector<Assignment> &original);
+    /** Gives the value to @p prm; returns what is wrong, or nothing. */
+    std::string find_problem(const Assignment &assignment, const DeclaredSection &declared,
+                             ParameterHandler &prm) const;
+
     std::vector<std::string> overrides;
     std::vector<Assignment>  assignments;
+    std::vector<std::string> hints;
   };
 } // namespace caudal
 

@@ -1,10 +1,8 @@
 #ifndef caudal_base_plugin_h
 #define caudal_base_plugin_h
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 
-#include <cctype>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,7 +15,7 @@ namespace caudal
 
   /**
    * What can be chosen by its name in the parameter file: a material, a muscle, a kernel. It owns
-   * its parameters, which it declares in a subsection named after it.
+   * its parameters, which it declares in a subsection named after it. A run works with copies.
    */
   class Plugin
   {
@@ -27,12 +25,34 @@ namespace caudal
     /** Declares its parameters in its own subsection, which @p prm is in. */
     virtual void add_parameters(ParameterHandler & /*prm*/) {}
 
-    /** Throws a sentence about the first bad value; @p path is the path of its subsection. */
+    /** Throws a sentence about the first bad value; @p path is that of its subsection. */
     virtual void check(const std::string & /*path*/) const {}
   };
 
+  /** The subsection with the parameters of a plug-in: `Bang-bang` for `bang-bang`. */
+  std::string get_plugin_section(const std::string &name);
+
   /**
-   * All members of the family @p Base, by name. Members register themselves as the program or a
+   * Declares the parameters of @p plugin in the subsection @p section of the one that @p prm is
+   * in. A plug-in without parameters gets no subsection.
+   */
+  void declare_plugin(ParameterHandler &prm, const std::string &section, Plugin &plugin);
+
+  /**
+   * Loads shared libraries, whose plug-ins register themselves: @p files are separated by commas.
+   * To be called before parameters are declared. Throws a sentence if a library can't be loaded
+   * or if two plug-ins have the same name.
+   */
+  void load_libraries(const std::string &files);
+
+  /** Declares the entry with the files that load_libraries() takes. */
+  void declare_libraries(ParameterHandler &prm);
+
+  /** Notes two plug-ins with the same name; an exception can't leave an initialisation. */
+  void report_second_plugin(const std::string &name);
+
+  /**
+   * All members of the family @p Base, by name. Members register themselves when the program or a
    * user's library is loaded, so that a new one is known without a change elsewhere.
    */
   template <class Base>
@@ -46,24 +66,31 @@ namespace caudal
       std::function<std::unique_ptr<Base>(const Base &)> copy;
     };
 
+    /** In alphabetical order, as the parameters are declared, whoever registers first. */
     static const std::map<std::string, Member> &get_members()
     {
       return members();
     }
 
+    /** @p documentation is a part of a sentence, without a full stop. */
     template <class Derived>
     static void add(const std::string &name, const std::string &documentation)
     {
-      const bool is_new =
-          members()
-              .insert({name,
-                       {documentation, []() { return std::make_unique<Derived>(); },
-                        [](const Base &other) {
-                          return std::make_unique<Derived>(static_cast<const Derived &>(other));
-                        }}})
-              .second;
-      AssertThrow(is_new, ExcMessage("Two plug-ins of the same kind are called <" + name +
-                                     ">. Give yours another name."));
+      const Member member{documentation, [] { return std::make_unique<Derived>(); },
+                          [](const Base &other) {
+                            return std::make_unique<Derived>(dynamic_cast<const Derived &>(other));
+                          }};
+      if (!members().emplace(name, member).second)
+        report_second_plugin(name);
+    }
+
+    /** The names, separated by @p separator ('|' for Patterns::Selection). */
+    static std::string get_names(const std::string &separator)
+    {
+      std::string names;
+      for (const auto &member : members())
+        names += (names.empty() ? "" : separator) + member.first;
+      return names;
     }
 
   private:
@@ -104,38 +131,48 @@ namespace caudal
   class Choice
   {
   public:
-    /** @p documentation begins the entry's description; those of the members follow. */
-    Choice(std::string entry, std::string default_name, std::string documentation)
+    /**
+     * @p documentation begins the entry's description; those of the members follow. @p prefix
+     * precedes the members' names in those of their subsections, where one section holds several
+     * choices: with `left `, `Left inflow`.
+     */
+    Choice(std::string entry, std::string default_name, std::string documentation,
+           std::string prefix = "")
         : entry(std::move(entry))
         , name(std::move(default_name))
         , documentation(std::move(documentation))
+        , prefix(std::move(prefix))
     {
       for (const auto &[member_name, member] : Registry<Base>::get_members())
         members[member_name] = member.create();
     }
 
+    /** The parameter handler keeps references to the parameters: a choice stays where it is. */
+    Choice(const Choice &)            = delete;
+    Choice &operator=(const Choice &) = delete;
+
     /** Declares the entry and the subsections in the section that @p prm is in. */
     void add_parameters(ParameterHandler &prm)
     {
-      std::string names, text = documentation;
+      std::string text = documentation;
       for (const auto &[member_name, member] : Registry<Base>::get_members())
-      {
-        names += (names.empty() ? "" : "|") + member_name;
-        text += (names == member_name ? " '" : "; '") + member_name + "': " + member.documentation;
-      }
-      prm.add_parameter(entry, name, text + ".", Patterns::Selection(names));
+        text += (text == documentation ? " '" : "; '") + member_name + "': " + member.documentation;
+      prm.add_parameter(entry, name, text + ".",
+                        Patterns::Selection(Registry<Base>::get_names("|")));
       for (const auto &[member_name, member] : members)
-      {
-        prm.enter_subsection(get_section(member_name));
-        member->add_parameters(prm);
-        prm.leave_subsection();
-      }
+        declare_plugin(prm, get_section(member_name), *member);
     }
 
     /** Checks the parameters of the chosen member; @p path is that of the section around it. */
     void check(const std::string &path) const
     {
-      get().check(path + "/" + get_section(name));
+      get().check(get_path(path));
+    }
+
+    /** The path of the chosen member's section; @p path is that of the section around it. */
+    std::string get_path(const std::string &path) const
+    {
+      return path + "/" + get_section(name);
     }
 
     const std::string &get_name() const
@@ -143,12 +180,19 @@ namespace caudal
       return name;
     }
 
+    /** Chooses another member, as the entry does. */
+    void set_name(const std::string &new_name)
+    {
+      name = new_name;
+    }
+
     /** The chosen member with its parameters. */
     const Base &get() const
     {
       const auto member = members.find(name);
       AssertThrow(member != members.end(),
-                  ExcMessage(entry + ": there is nothing called <" + name + ">."));
+                  ExcMessage(entry + ": there is nothing called <" + name +
+                             ">. The known ones are: " + Registry<Base>::get_names(", ") + "."));
       return *member->second;
     }
 
@@ -158,26 +202,15 @@ namespace caudal
       return Registry<Base>::get_members().at(name).copy(get());
     }
 
-    /** The subsections of the members that are not chosen: what is set there has no effect. */
-    std::vector<std::string> get_idle_sections() const
-    {
-      std::vector<std::string> sections;
-      for (const auto &member : members)
-        if (member.first != name)
-          sections.push_back(get_section(member.first));
-      return sections;
-    }
-
   private:
     const std::string                            entry;
     std::string                                  name;
-    const std::string                            documentation;
+    const std::string                            documentation, prefix;
     std::map<std::string, std::unique_ptr<Base>> members;
 
-    static std::string get_section(std::string member_name)
+    std::string get_section(const std::string &member_name) const
     {
-      member_name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(member_name[0])));
-      return member_name;
+      return get_plugin_section(prefix + member_name);
     }
   };
 } // namespace caudal

@@ -41,23 +41,21 @@ namespace caudal
     static TimeWeights backward_differentiation(double step, double previous_step);
   };
 
-  /** The time level: accepts and rejects steps and chooses their size. */
+  /** The time level of a state, and the size of the step that comes next. */
   class TimeStepper
   {
   public:
+    /** @p parameters have to outlive the object. */
     explicit TimeStepper(const TimeParameters &parameters);
 
     double get_time() const
     {
       return time;
     }
+    /** The size of the coming step [s]. */
     double get_step() const
     {
       return step;
-    }
-    double get_next_time() const
-    {
-      return time + step;
     }
     double get_previous_step() const
     {
@@ -69,8 +67,8 @@ namespace caudal
     }
     bool is_at_end() const;
 
-    /** Weights of the coming step (BDF1 in the first, then BDF2). */
-    TimeWeights get_weights() const;
+    /** Weights of a coming step of length @p step (BDF1 in the first, then BDF2). */
+    TimeWeights get_weights(double step) const;
 
     /** What decides the next step's size. */
     struct Indicators
@@ -83,11 +81,15 @@ namespace caudal
       double error = 0;
     };
 
-    /** The step is done: t^n := t^{n+1}; the size of the next one follows from @p indicators. */
-    void accept(const Indicators &indicators);
+    /** A step was taken: t^n := t^n + @p step; the size of the next one follows from @p indicators.
+     */
+    void accept(double step, const Indicators &indicators);
 
-    /** The step failed because of @p reason: halves it; throws after too many of them. */
-    void reject(const std::string &reason);
+    /**
+     * Half of the @p failed_step, which is the retry with the number @p n_retries, from 0 on, if
+     * the parameters allow it; else throws. @p reason is a sentence on the failure.
+     */
+    double halve(double failed_step, unsigned int n_retries, const std::string &reason) const;
 
     /** Throws if the coming step is to be smaller than the parameters allow. */
     void check_step() const;
@@ -102,13 +104,12 @@ namespace caudal
     }
 
   private:
-    const TimeParameters &parameters;
+    const TimeParameters *parameters;
     double                time          = 0;
     double                step          = 0;
     double                regular_step  = 0;
     double                previous_step = 0;
     unsigned int          step_number   = 0;
-    unsigned int          n_retries     = 0;
 
     void choose_step();
     void limit_to_end();

@@ -15,11 +15,29 @@ namespace caudal
   /** Section `Coupling`. */
   struct CouplingParameters
   {
-    std::string kernel             = "dirac";
-    double      quadrature_density = 1.5;
+    Choice<DeltaKernel> kernel{"Kernel", "dirac", "Regularised delta function:"};
+    double              quadrature_density = 1.5;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
+  };
+
+  /** What the interaction of all bodies with the fluid has in common: the kernel, with its tables.
+   */
+  class Coupling
+  {
+  public:
+    explicit Coupling(const CouplingParameters &parameters);
+
+    /** Half the width of the kernel's support, in cells of the finest level. */
+    double get_support() const
+    {
+      return 0.5 * std::max(kernel->radius(), kernel->across().radius());
+    }
+
+    const std::unique_ptr<DeltaKernel> kernel;
+    const LineTable                    along, across;
+    const double                       quadrature_density;
   };
 
   /**
@@ -38,27 +56,35 @@ namespace caudal
   class InteractionOperator
   {
   public:
-    InteractionOperator(const CouplingParameters &parameters, MPI_Comm communicator);
-
-    /** Half the width of the kernel's support, in cells of the finest level. */
-    double get_support() const;
+    /** The fluid's side of the interaction; its velocities have the layout @p partitioner. */
+    struct Fluid
+    {
+      const FinestCells<dim>                                   &finest_cells;
+      const DoFHandler<dim>                                    &velocity_dofs;
+      const AffineConstraints<double>                          &constraints;
+      const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner;
+    };
 
     /**
      * Computes G for the body's nodal positions @p positions. Throws if part of
      * the kernel's support lies outside the finest level; @p name is the
-     * body's, for the message. Returns the number of quadrature points.
+     * body's, for the message. Collective.
      */
-    unsigned int reinit(const FinestCells<dim> &finest_cells, const DoFHandler<dim> &velocity_dofs,
-                        const AffineConstraints<double> &constraints,
-                        const FieldVector &velocity_layout, const DoFHandler<dim> &body_dofs,
-                        const Vector<double> &positions, const std::string &name);
+    InteractionOperator(const Coupling &coupling, const Fluid &fluid,
+                        const DoFHandler<dim> &body_dofs, const Vector<double> &positions,
+                        const std::string &name);
+
+    /** Quadrature points of the body. */
+    unsigned int n_points() const
+    {
+      return n_quadrature_points;
+    }
 
     /**
-     * result = G u (without the division by the body's mass matrix), u having
+     * G u (without the division by the body's mass matrix), u having
      * up-to-date ghost values; @p homogeneous: as if all boundary values were zero; collective.
      */
-    void interpolate(const FieldVector &velocity, Vector<double> &result,
-                     bool homogeneous = false) const;
+    Vector<double> interpolate(const FieldVector &velocity, bool homogeneous = false) const;
 
     /** result += G^T Phi on the unconstrained velocity unknowns; collective. */
     void spread(const Vector<double> &force_density, FieldVector &result) const;
@@ -72,38 +98,30 @@ namespace caudal
           operation(row, columns[k], entries[k]);
     }
 
-    std::size_t n_local_entries() const
-    {
-      return entries.size();
-    }
-
   private:
-    const CouplingParameters &parameters;
-    const KernelPair          kernel;
-    const LineTable           along, across;
-    MPI_Comm                  communicator;
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+    unsigned int                                       n_quadrature_points = 0;
 
     // Compressed rows: global columns, and the same as indices into a ghosted vector.
-    std::vector<std::size_t>                           row_start;
-    std::vector<types::global_dof_index>               columns;
-    std::vector<unsigned int>                          local_columns;
-    std::vector<double>                                entries;
-    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+    std::vector<std::size_t>             row_start;
+    std::vector<types::global_dof_index> columns;
+    std::vector<unsigned int>            local_columns;
+    std::vector<double>                  entries;
 
     // What the inhomogeneous constraints contribute to G u.
     Vector<double> inhomogeneity;
 
-    /** Entries with the same row and column are added up. */
+    /** An entry before those with the same row and column are added up. */
     struct LooseEntry
     {
       unsigned int            row;
       types::global_dof_index column;
       double                  value;
     };
-    std::vector<LooseEntry> loose_entries; // work space of reinit()
 
     class Assembler;
-    void compress(unsigned int n_rows, const std::string &name);
+    void compress(const std::vector<LooseEntry> &loose_entries, unsigned int n_rows,
+                  const std::string &name);
   };
 } // namespace caudal
 

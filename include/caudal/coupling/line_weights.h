@@ -38,16 +38,15 @@ namespace caudal
   LineWeights integrate_line_weights(double x, const DeltaKernel &kernel);
 
   /**
-   * The same at the price of a polynomial. Where a point lies in its cell decides
-   * on the weights, and within each quarter of the cell they are analytic: they
-   * are interpolated there in Chebyshev's points of the first kind, by the
-   * barycentric formula (Berrut & Trefethen 2004, doi:10.1137/S0036144502417715).
+   * The line weights of a kernel at the price of a polynomial. Where a point lies in its cell
+   * decides on the weights, and within each quarter of the cell they are analytic: they are
+   * interpolated there in Chebyshev's points of the first kind, by the barycentric formula (Berrut
+   * & Trefethen 2004, doi:10.1137/S0036144502417715).
    */
   class LineTable
   {
   public:
-    /** @p kernel is null for the Dirac distribution. */
-    explicit LineTable(const DeltaKernel *kernel);
+    explicit LineTable(const DeltaKernel &kernel);
 
     /** The weights for the position @p x in cells. */
     LineWeights evaluate(double x) const;
@@ -56,7 +55,7 @@ namespace caudal
     static constexpr unsigned int n_quarters = 4, n_nodes = 32;
 
     std::array<double, n_nodes> nodes, node_weights; // in a quarter, from 0 to 1
-    /** At the nodes of each quarter of the cell 0; empty for the Dirac distribution. */
+    /** At the nodes of each quarter of the cell 0; empty for a kernel of radius 0. */
     std::array<std::vector<LineWeights>, n_quarters> values;
   };
 } // namespace caudal

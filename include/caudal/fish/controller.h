@@ -1,15 +1,10 @@
 #ifndef caudal_fish_controller_h
 #define caudal_fish_controller_h
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <memory>
-#include <string>
+#include <caudal/base/plugin.h>
 
 namespace caudal
 {
-  using namespace dealii;
-
   /** What muscles and controllers know of the swimmer at the beginning of a step. */
   struct SwimmerState
   {
@@ -39,35 +34,31 @@ namespace caudal
     double bias = 0.;
   };
 
-  /** Decides the muscle's command at the beginning of each step. */
-  class Controller
+  /**
+   * Decides the muscle's command at the beginning of each step. It has no memory: a rejected step
+   * asks again. This base class leaves the muscle alone.
+   */
+  class Controller : public Plugin
   {
   public:
-    virtual ~Controller() = default;
+    virtual MuscleCommand compute_command(const SwimmerState & /*state*/) const
+    {
+      return MuscleCommand();
+    }
 
-    /** Without memory: a rejected step asks again. */
-    virtual MuscleCommand compute_command(const SwimmerState &state) const = 0;
+    /** Whether it needs a muscle that can pull harder on one side than on the other. */
+    virtual bool steers() const
+    {
+      return false;
+    }
   };
 
-  /**
-   * Section `Controller` of a body.
-   *
-   * `none`: gain 1, bias 0.
-   * `heading`: bias = K (heading - target) + D yaw rate, limited.
-   * `speed`: gain = 1 + K (target - speed), between 0 and its limit.
-   */
+  /** Section `Controller` of a body. */
   struct ControllerParameters
   {
-    std::string type = "none";
+    Choice<Controller> type;
 
-    double target_heading = 0.;
-    double heading_gain   = 1.;
-    double yaw_rate_gain  = 0.;
-    double largest_bias   = 0.5;
-
-    double target_speed = 0.;
-    double speed_gain   = 1.;
-    double largest_gain = 2.;
+    ControllerParameters();
 
     /** Declares the section in the one that @p prm is in. */
     void add_parameters(ParameterHandler &prm);
@@ -75,9 +66,6 @@ namespace caudal
     /** Throws a sentence about the first bad entry; @p path is the body's section. */
     void check(const std::string &path) const;
   };
-
-  /** The controller that @p parameters describe. */
-  std::unique_ptr<Controller> create_controller(const ControllerParameters &parameters);
 } // namespace caudal
 
 #endif

@@ -1,10 +1,10 @@
 #ifndef caudal_fish_force_table_h
 #define caudal_fish_force_table_h
 
-#include <deal.II/base/exceptions.h>
+#include <deal.II/base/function_lib.h>
 
+#include <memory>
 #include <string>
-#include <vector>
 
 namespace caudal
 {
@@ -12,10 +12,9 @@ namespace caudal
 
   /**
    * Amplitudes over time, at one or several stations along the body, from a
-   * text file: a row per instant, the time first, entries separated by commas
-   * or blanks, comments from '#' on. A first row `time, s1, s2, ...` gives the
-   * stations (arc length over body length, increasing); it may be left out if
-   * there is one column of amplitudes, which then holds for the whole body.
+   * text file (see NumberTable): a row per instant, the time first. A first row
+   * `time, s1, s2, ...` gives the stations (arc length over body length, increasing); it may be
+   * left out if there is one column of amplitudes, which then holds for the whole body.
    *
    * Linear between the rows and between the stations, constant beyond the
    * outermost station. The last row of a periodic table repeats the first.
@@ -24,26 +23,24 @@ namespace caudal
   {
   public:
     /** Throws a sentence with file and line about the first bad row. */
-    ForceTable(const std::string &file_name, const bool periodic);
+    ForceTable(const std::string &file_name, bool periodic);
 
     /** The amplitude at time @p time [s] and arc length @p s [body lengths]. */
-    double value(const double time, const double s) const;
+    double value(double time, double s) const;
 
     /** The largest modulus of all amplitudes. */
-    double get_maximum() const;
+    double get_maximum() const
+    {
+      return maximum;
+    }
 
   private:
-    void   read_header(const std::vector<std::string> &fields, const std::string &place);
-    void   add_row(const std::vector<std::string> &fields, const std::string &place);
-    void   check_end() const;
-    double value_in_row(const std::size_t row, const double s) const;
-
     const std::string file_name;
     const bool        periodic;
+    double            begin = 0., end = 0.; // [s]
+    double            maximum = 0.;
 
-    std::vector<double>              stations;
-    std::vector<double>              times;
-    std::vector<std::vector<double>> rows;
+    std::unique_ptr<Functions::InterpolatedTensorProductGridData<2>> amplitudes; // of (t, s)
   };
 } // namespace caudal
 

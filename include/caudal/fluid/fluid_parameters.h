@@ -1,25 +1,16 @@
 #ifndef caudal_fluid_fluid_parameters_h
 #define caudal_fluid_fluid_parameters_h
 
-#include <deal.II/base/parameter_handler.h>
+#include <caudal/fluid/boundary_condition.h>
+
 #include <deal.II/base/point.h>
 
+#include <deque>
 #include <string>
 #include <vector>
 
 namespace caudal
 {
-  using namespace dealii;
-
-  /** Condition on a side of the domain. */
-  enum class BoundaryCondition
-  {
-    wall,     // u = 0
-    inflow,   // u = inflow velocity
-    outflow,  // -p n + mu du/dn = 0
-    free_slip // u.n = 0, no tangential stress
-  };
-
   /** Section `Fluid`. */
   template <int dim>
   struct FluidParameters
@@ -29,15 +20,11 @@ namespace caudal
     double      grad_div                 = 1;
     double      convection_stabilisation = 0.1;
     bool        backflow_stabilisation   = true;
-    std::string inflow_velocity;
-    double      inflow_ramp = 0;
     std::string initial_velocity;
     std::string body_force;
-    std::string exact_solution;
 
-    std::vector<Point<dim>>  control_volume;
-    std::vector<Point<dim>>  probes;
-    std::vector<std::string> boundary_names = std::vector<std::string>(2 * dim, "wall");
+    SharedInflow                               inflow;
+    std::deque<Choice<BoundaryCondition<dim>>> sides; // by boundary id
 
     FluidParameters();
     void add_parameters(ParameterHandler &prm);
@@ -47,9 +34,10 @@ namespace caudal
     {
       return density * kinematic_viscosity;
     }
-    std::vector<BoundaryCondition> get_boundary_conditions() const;
-    bool                           has_condition(BoundaryCondition condition) const;
-    bool                           has_body_force() const;
+    bool has_body_force() const;
+
+    /** The conditions on the sides, by boundary id. */
+    std::vector<std::unique_ptr<BoundaryCondition<dim>>> create_boundary_conditions() const;
   };
 } // namespace caudal
 

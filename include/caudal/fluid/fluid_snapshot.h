@@ -1,7 +1,7 @@
 #ifndef caudal_fluid_fluid_snapshot_h
 #define caudal_fluid_fluid_snapshot_h
 
-#include <caudal/fluid/fluid_state.h>
+#include <caudal/fluid/fluid_space.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -10,14 +10,14 @@
 namespace caudal
 {
   /**
-   * The fluid's grid and fields, cell by cell: exact, and independent of the
-   * number of ranks and of the numbering of cells and unknowns.
+   * Values of the fluid's fields cell by cell: exact, and independent of the number of ranks and
+   * of the numbering of cells and unknowns.
    */
   struct FluidSnapshot
   {
-    /** CellId::to_binary() of the active cells, one after the other. */
+    /** CellId::to_binary() of active cells, one after the other. */
     std::vector<std::uint32_t> cells;
-    /** For each of them the nodal values of u at t^n, u at t^{n-1} and p. */
+    /** For each of them the nodal values of the velocity fields and those of the pressure. */
     std::vector<double> values;
 
     template <class Archive>
@@ -27,23 +27,30 @@ namespace caudal
     }
   };
 
-  /** Collects the snapshot of @p state on rank 0; on the other ranks it is empty. Collective. */
+  /** The snapshot of this rank's cells. The fields have up-to-date ghost values. */
   template <int dim>
-  FluidSnapshot take_snapshot(const FluidSpace<dim> &space, const FluidState<dim> &state);
+  FluidSnapshot take_snapshot(const FluidSpace<dim>                  &space,
+                              const std::vector<const FieldVector *> &velocities,
+                              const FieldVector                      &pressure);
+
+  /** Puts the parts of all ranks together on rank 0; on the others it is then empty. Collective. */
+  void gather_on_root(FluidSnapshot &snapshot, MPI_Comm communicator);
 
   /**
    * Makes @p triangulation the grid of the @p snapshot, which all ranks hold, from the coarse
-   * grid on. The result depends on nothing else, not even on the grid that it was before.
-   * Throws if the snapshot is that of another domain. Collective.
+   * grid on. Throws if the snapshot is that of another domain. Collective.
    */
   template <int dim>
   void restore_grid(const FluidSnapshot &snapshot, const DomainParameters<dim> &domain,
                     parallel::distributed::Triangulation<dim> &triangulation);
 
-  /** Sets @p state, on the grid of restore_grid(), to the snapshot's fields. Collective. */
+  /**
+   * Sets the fields on the grid of the @p snapshot, which holds at least this rank's cells, to its
+   * values. Throws if it has been taken of another number of fields. Collective.
+   */
   template <int dim>
   void restore_fields(const FluidSnapshot &snapshot, const FluidSpace<dim> &space,
-                      FluidState<dim> &state);
+                      const std::vector<FieldVector *> &velocities, FieldVector &pressure);
 } // namespace caudal
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef caudal_fluid_fluid_space_h
 #define caudal_fluid_fluid_space_h
 
+#include <caudal/base/compatibility.h>
 #include <caudal/base/types.h>
 #include <caudal/fluid/body_force.h>
 #include <caudal/fluid/cell_matrices.h>
@@ -8,6 +9,8 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
+
+#include <optional>
 
 namespace caudal
 {
@@ -27,8 +30,17 @@ namespace caudal
     /** To be called after each change of the grid. */
     void reinit();
 
-    /** Sets the inhomogeneous constraints to the boundary values at @p time. */
-    void set_boundary_values(double time);
+    /**
+     * Hanging nodes and the boundary values at @p time. They are kept until another time is asked
+     * for. Collective.
+     */
+    const AffineConstraints<double> &get_constraints(double time) const;
+
+    /** The same with zero boundary values, for corrections. */
+    const AffineConstraints<double> &get_homogeneous_constraints() const
+    {
+      return homogeneous_constraints;
+    }
 
     const parallel::distributed::Triangulation<dim> &get_triangulation() const
     {
@@ -36,16 +48,32 @@ namespace caudal
     }
     MPI_Comm get_communicator() const
     {
-      return triangulation.get_communicator();
+      return compatibility::get_communicator(triangulation);
     }
     const FluidParameters<dim> &get_parameters() const
     {
       return parameters;
     }
 
+    /** The condition on the side of the domain with this boundary id. */
+    const BoundaryCondition<dim> &get_boundary_condition(const types::boundary_id side) const
+    {
+      return *boundary_conditions[side];
+    }
+
     /** A zero vector with ghost entries for all locally relevant unknowns. */
-    FieldVector make_velocity_vector() const;
-    FieldVector make_pressure_vector() const;
+    FieldVector make_velocity_vector() const
+    {
+      return FieldVector(velocity_layout);
+    }
+    FieldVector make_pressure_vector() const
+    {
+      return FieldVector(pressure_layout);
+    }
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &get_velocity_layout() const
+    {
+      return velocity_layout;
+    }
 
     const Tensor<1, dim> &get_domain_size() const
     {
@@ -75,16 +103,20 @@ namespace caudal
     DoFHandler<dim>     velocity_dofs;
     DoFHandler<dim>     pressure_dofs;
 
-    /** Hanging nodes and boundary values; the same with zero boundary values. */
-    AffineConstraints<double> constraints;
-    AffineConstraints<double> homogeneous_constraints;
-
   private:
     parallel::distributed::Triangulation<dim> &triangulation;
     const FluidParameters<dim>                &parameters;
     const Tensor<1, dim>                       domain_size;
-    std::vector<CellMatrices<dim>>             cell_matrices;
-    mutable BodyForceLoads<dim>                body_force_loads;
+
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
+
+    std::vector<CellMatrices<dim>>    cell_matrices;
+    mutable BodyForceLoads<dim>       body_force_loads;
+    AffineConstraints<double>         homogeneous_constraints;
+    mutable AffineConstraints<double> constraints; // at constraints_time [s]
+    mutable std::optional<double>     constraints_time;
+
+    std::shared_ptr<const Utilities::MPI::Partitioner> velocity_layout, pressure_layout;
 
     AffineConstraints<double> make_constraints(double time, bool homogeneous) const;
   };

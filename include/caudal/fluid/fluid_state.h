@@ -43,10 +43,6 @@ namespace caudal
     Tensor<1, dim> momentum;
   };
 
-  /** rho/2 int |u|^2 [J, in 2D J/m]. Collective. */
-  template <int dim>
-  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity);
-
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
 
@@ -80,12 +76,6 @@ namespace caudal
   template <int dim>
   Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
                                             const FieldVector     &velocity);
-
-  /** L2 errors of velocity and pressure (its mean removed) against the exact solution at @p time.
-   */
-  template <int dim>
-  std::pair<double, double> compute_errors(const FluidSpace<dim> &space,
-                                           const FluidState<dim> &state, double time);
 
   /** The vorticity for DataOut: a scalar in 2D, a vector in 3D [1/s]. */
   template <int dim>

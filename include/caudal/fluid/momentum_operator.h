@@ -2,9 +2,8 @@
 #define caudal_fluid_momentum_operator_h
 
 #include <caudal/fluid/cellwise_matrix.h>
+#include <caudal/fluid/divergence_matrix.h>
 #include <caudal/fluid/fluid_space.h>
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 namespace caudal
 {
@@ -48,34 +47,36 @@ namespace caudal
 
     /**
      * Assembles A (unless it is the same as in the last call: no transport and
-     * equal weights; then returns false) and the @p residual of @p velocity
+     * equal weights) and returns the residual of @p velocity
      * and @p pressure. All input vectors have up-to-date ghost values.
      */
-    bool assemble(const MomentumStep &step, const FieldVector &velocity,
-                  const FieldVector &pressure, FieldVector &residual);
+    FieldVector assemble(const MomentumStep &step, const FieldVector &velocity,
+                         const FieldVector &pressure) const;
 
     const CellwiseMatrix &get_matrix() const
     {
       return matrix;
     }
     /** B, without the constrained velocities. */
-    const TrilinosWrappers::SparseMatrix &get_divergence_matrix() const
+    const DivergenceMatrix &get_divergence_matrix() const
     {
       return divergence_matrix;
     }
 
-    /** result = B u with all, also the constrained, velocities. */
-    void compute_divergence(const FieldVector &velocity, FieldVector &result) const;
+    /** B u with all, also the constrained, velocities. */
+    FieldVector compute_divergence(const FieldVector &velocity) const;
 
     /** vector := M_p^-1 vector, M_p the mass matrix of the pressure. */
     void apply_inverse_pressure_mass(FieldVector &vector) const;
 
   private:
-    const FluidSpace<dim>         &space;
-    CellwiseMatrix                 matrix;
-    TrilinosWrappers::SparseMatrix divergence_matrix;
-    MomentumWeights                constant_weights;
-    bool                           matrix_is_constant = false;
+    const FluidSpace<dim> &space;
+    DivergenceMatrix       divergence_matrix;
+
+    // Work space: A of the last assemble().
+    mutable CellwiseMatrix  matrix;
+    mutable MomentumWeights constant_weights;
+    mutable bool            matrix_is_constant = false;
 
     class CellAssembler;
   };

@@ -1,58 +1,22 @@
 #ifndef caudal_ideal_bending_body_h
 #define caudal_ideal_bending_body_h
 
+#include <caudal/fish/spine.h>
 #include <caudal/ideal/deformation.h>
-#include <caudal/ideal/shape.h>
+#include <caudal/mesh/straight_body.h>
 
 #include <memory>
 
 namespace caudal::ideal
 {
-  /** How the spine's tangent angle depends on the coordinates: theta(s) = sum_i c_i H_i(s). */
-  class SpineModes
-  {
-  public:
-    virtual ~SpineModes() = default;
-
-    virtual unsigned int n_modes() const = 0;
-
-    /** H_i(s), H_i(0) = 0; s in m. */
-    virtual double angle(unsigned int i, double s) const = 0;
-
-    /** dH_i/ds [1/m] */
-    virtual double curvature(unsigned int i, double s) const = 0;
-  };
-
   /**
-   * Six joints between seven sections of equal length: c_i is the angle of the joint at
-   * s_i = i L/7 [rad], spread over the half-width L/7 by a hat function, so that the spine is
-   * twice differentiable.
-   */
-  std::unique_ptr<SpineModes> create_joints(double length);
-
-  /**
-   * A wave of curvature kappa = c_1 K cos(w s) + c_2 K sin(w s), w = 2 pi k/L: with
-   * c = (sin psi, -cos psi) it is K sin(psi - w s). K(s) = curvature/L ((1 - g) + g s/L).
-   */
-  std::unique_ptr<SpineModes> create_curvature_wave(double length, double curvature, double growth,
-                                                    double wave_number);
-
-  /** A straight spine. */
-  std::unique_ptr<SpineModes> create_no_modes();
-
-  /** The joint's position i = 1..6, s_i [m]. */
-  double                 get_joint(double length, unsigned int i);
-  constexpr unsigned int n_joints = 6;
-
-  /**
-   * A straight body bent in its plane. The spine c(s), dc/ds = t = (cos theta, sin theta, 0),
-   * starts at the nose, the frame's origin, in the direction of e_1; sections stay rigid and
-   * normal to it, X = c(s) + y n(s) + z e_3. Then dX/dc_i = W_i - y H_i t, W_i = int H_i n ds.
+   * A straight body that a gait bends in its plane: sections stay rigid and normal to the Spine,
+   * X = m(s) + y N(s) + z e_3, with the nose in the frame's origin.
    */
   class BendingBody : public Deformation
   {
   public:
-    BendingBody(const Surface &surface, const Shape &shape, std::unique_ptr<SpineModes> modes);
+    BendingBody(const Surface &surface, const StraightBody &body, const Gait &gait);
 
     unsigned int       n_modes() const override;
     SurfaceMotion      place(const std::vector<double> &c) const override;
@@ -69,37 +33,18 @@ namespace caudal::ideal
                                                      const std::vector<double> &u) const override;
 
   private:
-    /** A place on the spine with all that does not depend on c. */
-    struct Station
-    {
-      unsigned int        interval;
-      std::vector<double> weights; // of the points between the interval's left end and s [m]
-      std::vector<double> angles;  // H_i there; by point, mode
-      std::vector<double> angle;   // H_i at s
-    };
+    const Gait  &gait;
+    const double length;
+    const bool   symmetric;
 
-    /** The bent spine at a station. */
-    struct BentSpine
-    {
-      Tensor<1, 3>              place, tangent, normal;
-      std::vector<Tensor<1, 3>> place_by_mode; // W_i
-      std::vector<Tensor<1, 3>> rate_by_mode;  // sum_j c_j' dW_i/dc_j, if there are rates
-    };
+    std::vector<Point<3>>        node_places; // of the surface: (s, y, z)
+    std::unique_ptr<const Spine> node_spine;
 
-    Station                make_station(double s) const;
-    std::vector<BentSpine> bend(const std::vector<Station> &stations, const std::vector<double> &c,
-                                const std::vector<double> &rates = {}) const;
+    std::vector<BodySlice>       slices;
+    std::unique_ptr<const Spine> slice_spine;
 
-    const std::unique_ptr<SpineModes> modes;
-    const double                      length;
-    const bool                        symmetric;
-
-    std::vector<Station>  grid;          // the ends of equal intervals
-    std::vector<Station>  node_stations; // of the surface
-    std::vector<Point<3>> node_places;   // (s, y, z)
-    std::vector<Section>  sections;
-    std::vector<Station>  section_stations;
-    std::vector<double>   half_widths; // at the grid's ends
+    std::vector<double>          stations, half_widths; // where the bend is looked at
+    std::unique_ptr<const Spine> station_spine;
   };
 } // namespace caudal::ideal
 

@@ -22,13 +22,17 @@ namespace caudal::ideal
   {
   public:
     /** The rows of the matrix are shared among the ranks of @p communicator. */
-    BoundaryElements(const Surface &surface, MPI_Comm communicator);
+    BoundaryElements(const Surface &surface, const MPI_Comm communicator)
+        : surface(surface)
+        , communicator(communicator)
+        , rules(surface.get_fe())
+    {}
 
-    /** Collective; every rank gets the same. Throws if the matrix is singular. */
-    std::unique_ptr<ExteriorFlow> solve(SurfaceMotion motion);
-
-    /** The same, if nothing but the potentials is of interest. */
-    Potentials compute_potentials(SurfaceMotion motion);
+    /** The flow, equal on all ranks. Throws if the matrix is singular. Collective. */
+    ExteriorFlow solve(SurfaceMotion motion)
+    {
+      return ExteriorFlow(surface, std::move(motion), rules, communicator, cost);
+    }
 
     const BoundaryElementCost &get_cost() const
     {

@@ -8,8 +8,8 @@
 namespace caudal::ideal
 {
   /**
-   * A body whose shape depends on a few coordinates c_i: joint angles, for example. All of it
-   * is in the body's frame.
+   * A body whose shape depends on a few coordinates c_i: joint angles, for example. All
+   * vectors are in the body's frame.
    */
   class Deformation
   {
@@ -27,19 +27,17 @@ namespace caudal::ideal
      */
     virtual FullMatrix<double> compute_body_mass(const std::vector<double> &c) const = 0;
 
-    /**
-     * sum_j rates_j d^2X/(dc_i dc_j) at the surface's nodes, by mode i. Here, and in
-     * compute_body_energy_gradient(), by differences of fourth order; exact where derived.
-     */
+    /** sum_j rates_j d^2X/(dc_i dc_j) at the surface's nodes, by mode i. */
     virtual std::vector<std::vector<Tensor<1, 3>>>
-    compute_mode_rates(const std::vector<double> &c, const std::vector<double> &rates) const;
+    compute_mode_rates(const std::vector<double> &c, const std::vector<double> &rates) const = 0;
 
     /**
      * The derivatives of (1/2) u^T M u, M the body's own mass matrix over its density, with
      * respect to the coordinates c_i for fixed rates u of all motions [m^5].
      */
-    virtual std::vector<double> compute_body_energy_gradient(const std::vector<double> &c,
-                                                             const std::vector<double> &u) const;
+    virtual std::vector<double>
+    compute_body_energy_gradient(const std::vector<double> &c,
+                                 const std::vector<double> &u) const = 0;
 
     /**
      * How near the body is to intersecting itself: the largest of half-width times curvature

@@ -28,7 +28,7 @@ namespace caudal::ideal
     double volume = 0.; ///< inside the surface [m^3]
   };
 
-  /** What flows have cost, in s of CPU of this rank. */
+  /** CPU time that flows have taken on this rank [s]. */
   struct BoundaryElementCost
   {
     double assembly = 0.;
@@ -39,7 +39,7 @@ namespace caudal::ideal
   /**
    * The solved boundary integral equations of a surface in one position; see
    * BoundaryElements. If the surface and its modes are symmetric, z -> -z, the equations of
-   * symmetric and antisymmetric potentials are solved apart, each on one half.
+   * symmetric and antisymmetric potentials are solved separately, each on one half.
    */
   class ExteriorFlow
   {
@@ -48,7 +48,9 @@ namespace caudal::ideal
     ExteriorFlow(const Surface &surface, SurfaceMotion motion, ReferenceRules &rules,
                  MPI_Comm communicator, BoundaryElementCost &cost);
 
-    /** The same on every rank. */
+    ExteriorFlow(const ExteriorFlow &) = delete;
+
+    /** The result, equal on all ranks. */
     const Potentials &get_potentials() const
     {
       return potentials;
@@ -83,14 +85,14 @@ namespace caudal::ideal
       int                                  sign = 0; ///< of phi(x, y, -z)/phi(x, y, z), or 0
       std::vector<types::global_dof_index> nodes;
       std::vector<unsigned int>            motions;
-      LAPACKFullMatrix<double>             matrix; ///< A^T: each column is an equation
-      LAPACKFullMatrix<double>             rhs;    ///< by motion, then equation
+      LAPACKFullMatrix<double>             matrix;     ///< A, then its factors
+      LAPACKFullMatrix<double>             potentials; ///< -b, then phi; by node, motion
     };
 
-    /** One flow on the whole surface, at the nodes. */
+    /** A flow on the whole surface, at the nodes. */
     struct NodalFlow
     {
-      std::vector<double>       potential;
+      Vector<double>            potential;
       std::vector<Tensor<1, 3>> velocity; ///< of the surface
     };
 
@@ -100,32 +102,35 @@ namespace caudal::ideal
       std::vector<Tensor<1, 3>> place, velocity;
     };
 
+    void compute_velocities();
     void split_by_symmetry();
     void assemble();
-    void add_equation(unsigned int node, double *row, double *rhs);
+    void add_equation(Equations &equations, unsigned int k, const Vector<double> &double_layer,
+                      const std::vector<Tensor<1, 3>> &single_layer) const;
     void solve(Equations &equations);
     void integrate();
 
-    /** Adds a full row over all nodes to the half that the equations know. */
-    void fold(const Equations &equations, const double *row, double *result) const;
+    /** A row over all nodes, as one over the half that the equations know. */
+    Vector<double> fold(const Equations &equations, const Vector<double> &row) const;
 
-    CellFlow       extract_cell(const NodalFlow &flow, unsigned int cell) const;
-    NodalFlow      combine(const Equations &equations, const std::vector<double> &u) const;
-    Vector<double> compute_adjoint(const Equations &equations, const NodalFlow &flow) const;
-    NodalGradient  differentiate(const Equations &equations, const NodalFlow &flow,
-                                 const Vector<double> &adjoint);
-    void           add_cell(const Equations &equations, unsigned int cell, const NodalFlow &flow,
-                            const Vector<double> &adjoint, NodalGradient &gradient);
-    void           add_to_nodes(unsigned int cell, const CellGradient &cell_gradient,
-                                NodalGradient &gradient) const;
+    std::vector<double>
+                  compute_energy_gradient(const Equations &equations, const std::vector<double> &u,
+                                          const std::vector<std::vector<Tensor<1, 3>>> &rates);
+    NodalGradient differentiate(const Equations &equations, const NodalFlow &flow,
+                                const Vector<double> &adjoint);
+    void differentiate_rule(const Equations &equations, unsigned int cell, unsigned int rule,
+                            const std::vector<unsigned int> &observers, const NodalFlow &flow,
+                            const Vector<double> &adjoint, NodalGradient &gradient) const;
 
-    const Surface         &surface;
-    const SurfaceMotion    motion;
-    const MPI_Comm         communicator;
-    BoundaryElementCost   &cost;
-    PlacedSurface          placed;
-    std::vector<Equations> systems;
-    Potentials             potentials;
+    const Surface                         &surface;
+    const SurfaceMotion                    motion;
+    const MPI_Comm                         communicator;
+    BoundaryElementCost                   &cost;
+    PlacedSurface                          placed;
+    std::vector<std::vector<Tensor<1, 3>>> velocities; // u_l by motion, node
+    FullMatrix<double>                     fluxes;     // int N_i u_l.n dS by node, motion
+    std::vector<Equations>                 systems;
+    Potentials                             potentials;
   };
 } // namespace caudal::ideal
 

@@ -48,10 +48,10 @@ namespace caudal::ideal
     std::vector<double> on_modes; ///< int df.dX/dc_i; none if there are no forces [N m]
   };
 
-  /** None if empty. */
+  /** The external forces at an instant; none if empty. */
   using ExternalForce = std::function<Load(const MotionInstant &)>;
 
-  /** How the equations are integrated. */
+  /** Methods to integrate the equations. */
   enum class Integrator
   {
     /**

@@ -1,28 +1,28 @@
 #ifndef caudal_ideal_laplace_kernel_h
 #define caudal_ideal_laplace_kernel_h
 
-#include <deal.II/base/config.h>
+#include <deal.II/base/tensor.h>
 
 #include <cmath>
 
 namespace caudal::ideal
 {
-  /** The two kernels of potential theory between a point x and an element of surface at y. */
+  using namespace dealii;
+
+  /** Kernels of potential theory between a point x and an element of the surface at y. */
   struct LaplaceKernel
   {
     double single_layer; ///< G(x,y) = 1/(4 pi |y - x|) [1/m]
     double double_layer; ///< dG/dn_y dS = -(y - x).N/(4 pi |y - x|^3), N = n dS [1/m, N in m^2]
   };
 
-  /** @p r = y - x [m], @p N the element's area times its normal; r must not be zero. */
-  inline DEAL_II_ALWAYS_INLINE LaplaceKernel
-  evaluate_laplace_kernel(const double rx, const double ry, const double rz, const double Nx,
-                          const double Ny, const double Nz)
+  /** @p r = y - x [m], which must not be zero; @p N is the element's area times its normal [m^2].
+   */
+  inline LaplaceKernel evaluate_laplace_kernel(const Tensor<1, 3> &r, const Tensor<1, 3> &N)
   {
-    constexpr double factor  = 0.079577471545947667884; // 1/(4 pi)
-    const double     inverse = 1. / (rx * rx + ry * ry + rz * rz);
-    const double     G       = factor * __builtin_sqrt(inverse);
-    return {G, -(rx * Nx + ry * Ny + rz * Nz) * inverse * G};
+    const double inverse = 1. / r.norm_square();
+    const double G       = std::sqrt(inverse) / (4. * numbers::PI);
+    return {G, -(r * N) * inverse * G};
   }
 } // namespace caudal::ideal
 

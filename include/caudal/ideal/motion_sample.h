@@ -18,6 +18,7 @@ namespace caudal::ideal
     Tensor<1, 3>        centre;          ///< of mass [m]
     Tensor<1, 3>        centre_velocity; ///< [m/s]
     double              energy = 0.;     ///< kinetic, of body and fluid [J]
+    std::vector<double> coordinates;     ///< c_i of the modes
     std::vector<double> torques;         ///< Q_i of the joints [N m]; none if not known
     std::vector<double> powers;          ///< Q_i dc_i/dt [W]
 
@@ -26,7 +27,7 @@ namespace caudal::ideal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &time &body &velocity &centre &centre_velocity &energy &torques &powers;
+      archive &time &body &velocity &centre &centre_velocity &energy &coordinates &torques &powers;
     }
   };
 
@@ -37,19 +38,19 @@ namespace caudal::ideal
   MotionSample compute_sample(const MotionProblem &problem, const BodyState &body, double time,
                               bool has_torques);
 
-  /** Averages over time. */
+  /** Averages and largest values over time of energy, powers and torques. */
   class EnergyAverages
   {
   public:
     /** @p weight is the sample's share of time [s]. */
     void add(const MotionSample &sample, double weight);
 
-    /** Of a swim from rest: the same at another rate, if these are the averages at 1 rad/s. */
+    /** The averages of a swim from rest at another rate, if these are those at 1 rad/s. */
     EnergyAverages at_rate(double rate) const;
 
-    double mean_energy() const;         ///< <T> [J]
-    double mean_positive_power() const; ///< <max(sum_i Q_i c_i', 0)> [W]
-    double mean_gross_power() const;    ///< sum_i <|Q_i c_i'|> [W]
+    double mean_energy() const;         ///< `<T>` [J]
+    double mean_positive_power() const; ///< `<max(sum_i Q_i c_i', 0)>` [W]
+    double mean_gross_power() const;    ///< `sum_i <|Q_i c_i'|>` [W]
 
     double              largest_energy = 0.; ///< [J]
     std::vector<double> largest_torques;     ///< of each mode [N m]

@@ -2,6 +2,7 @@
 #define caudal_ideal_phase_table_h
 
 #include <caudal/ideal/stroke_model.h>
+#include <caudal/ideal/trigonometric_table.h>
 
 namespace caudal::ideal
 {
@@ -25,18 +26,24 @@ namespace caudal::ideal
     Tensor<1, 3>        compute_centre_rate(double psi) override;
     FullMatrix<double>  compute_potentials(double psi) override;
 
-    /** How many phases were computed: all, or the half of them. */
+    /** The number of phases that were computed: all, or half of them. */
     unsigned int get_n_computed() const
     {
-      return n_computed;
+      return is_mirrored ? n_phases / 2 : n_phases;
     }
 
   private:
-    const Gait        &gait;
-    const unsigned int n_modes, n_drives;
-    unsigned int       n_computed;
-    TrigonometricTable states;
-    TrigonometricTable potentials; // by node and motion
+    /** Numbers by phase. */
+    using Rows = std::vector<std::vector<double>>;
+
+    void        add_second_half(const SwimmingShape &shape, Rows &rows, Rows &flows) const;
+    StrokeState make_state(const std::vector<double> &row) const;
+
+    const Gait                         &gait;
+    const unsigned int                  n_modes, n_drives, n_phases;
+    const bool                          is_mirrored;
+    std::unique_ptr<TrigonometricTable> states;
+    std::unique_ptr<TrigonometricTable> potentials; // by node and motion
   };
 } // namespace caudal::ideal
 

@@ -1,112 +1,79 @@
 #ifndef caudal_ideal_placed_surface_h
 #define caudal_ideal_placed_surface_h
 
-#include <caudal/ideal/cell_integrals.h>
-
-#include <deal.II/lac/full_matrix.h>
-
-#include <functional>
-#include <memory>
+#include <caudal/ideal/surface_quadrature.h>
 
 namespace caudal::ideal
 {
-  /** A rule on a part of a cell, with the derivatives of a number by what is at its points. */
-  struct PlacedRule
-  {
-    CellRule       rule;
-    PointGradients gradients;
-  };
-
   /**
-   * A surface in one position, with quadrature rules on its cells and on their parts, which
-   * are made when they are asked for. It refers to the motion and to the rules.
+   * A surface in one position, with quadrature rules on its cells and on their parts, which are
+   * made when they are asked for.
+   *
+   * A kernel 1/|y - x| over a part of a cell needs the more points the nearer x is: by the
+   * distance in radii of the part, one of Gauss's rules is chosen, or the part is halved. The
+   * body at rest decides, so that what is integrated depends smoothly on the shape, unless the
+   * deformation brings together what was far apart.
    */
   class PlacedSurface
   {
   public:
+    /** Refers to all three. */
     PlacedSurface(const Surface &surface, const SurfaceMotion &motion, ReferenceRules &rules);
 
-    unsigned int n_motions() const
+    /** The cell's nodes [m]. */
+    const CellArray<Point<3>> &get_nodes(const unsigned int cell) const
     {
-      return 6 + motion.modes.size();
+      return cells[cell].now.nodes;
     }
 
-    /** Of the cell's nodes [m]. */
-    const std::vector<Point<3>> &get_positions(const unsigned int cell) const
-    {
-      return positions[cell];
-    }
+    /** The number of the rule for smooth functions on each cell. */
+    static constexpr unsigned int regular = 0;
 
-    /** The rule for smooth functions. */
-    const CellRule &get_regular(const unsigned int cell) const
+    const PlacedRule &get_rule(const unsigned int cell, const unsigned int number) const
     {
-      return regular[cell].rule;
+      return cells[cell].rules[number];
     }
-
-    /** The same, with what is differentiated by its points. */
-    PlacedRule &get_regular(const unsigned int cell)
-    {
-      return regular[cell];
-    }
-
-    /** u_l.N at the points of the regular rules, by cell and point, then motion l. */
-    const FullMatrix<double> &get_fluxes() const
-    {
-      return fluxes;
-    }
-
-    /** Whether a node is so far from the cell that the regular rule is accurate. */
-    bool is_far(unsigned int cell, unsigned int node) const;
 
     /**
-     * The rules on a cell for kernels as seen from a node of another one; their points are the
-     * denser the nearer the part of the cell is to the node. The body at rest decides, unless
-     * the deformation brings together what was far apart.
+     * The numbers of the rules that together integrate kernels over the cell, as seen from a
+     * node of the surface. Valid until the next call.
      */
-    const std::vector<PlacedRule *> &find_near(unsigned int cell, unsigned int node);
-
-    /** The one for the cell of which the node is the one with this number; until the next call. */
-    PlacedRule &get_singular(unsigned int cell, unsigned int node);
-
-    /** Calls @p visit for all rules on a cell that were in use, but the singular ones. */
-    void visit_rules(unsigned int cell, const std::function<void(PlacedRule &)> &visit);
-
-    const Surface       &surface;
-    const SurfaceMotion &motion;
+    const std::vector<unsigned int> &find_rules(unsigned int cell, unsigned int node);
 
   private:
-    /** A part of a cell: a ball around it, the rules on it, and its halves. */
-    struct Part
+    /** The smallest ball around the middle of a part of a cell that holds its outline. */
+    struct Ball
     {
-      CellPart                                                               place;
-      Point<3>                                                               centre;
-      double                                                                 radius = 0.;
-      unsigned int                                                           longer = 0;
-      std::array<std::unique_ptr<PlacedRule>, ReferenceRules::n_gauss_rules> rules;
-      std::array<std::unique_ptr<Part>, 2>                                   halves;
+      Point<3>     centre;
+      double       radius;
+      unsigned int longer_side; // direction in which the part is longer
     };
 
-    /** Nodes by cell. */
-    using Positions = std::vector<std::vector<Point<3>>>;
+    /** A cell in one position, with the balls around its parts that have been asked for. */
+    struct Geometry
+    {
+      CellArray<Point<3>>      nodes;
+      Ball                     ball;
+      std::map<CellPart, Ball> balls;
+    };
 
-    Positions             extract_positions(const std::vector<Point<3>> &nodes) const;
-    std::unique_ptr<Part> make_part(const std::vector<Point<3>> &nodes, const CellPart &place);
+    struct Cell
+    {
+      Geometry                                                  now, at_rest;
+      std::vector<PlacedRule>                                   rules;
+      std::map<std::pair<unsigned int, CellPart>, unsigned int> numbers; // by kind and part
+    };
 
-    /** @p decisive are the nodes and the place of x by which the rules are chosen. */
-    void        find_rules(unsigned int cell, Part &part, const std::vector<Point<3>> &decisive,
-                           const Point<3> &x);
-    static void visit_part(Part &part, const std::function<void(PlacedRule &)> &visit);
-    void        compute_fluxes();
+    Geometry make_geometry(unsigned int cell, const std::vector<Point<3>> &nodes) const;
+    Ball     make_ball(const CellArray<Point<3>> &nodes, const CellPart &part) const;
+    void     find_rules(Cell &cell, Geometry &decisive, const CellPart &part, const Point<3> &x);
+    void     use_rule(Cell &cell, unsigned int kind, const CellPart &part);
 
-    ReferenceRules                    &rules;
-    const std::vector<Point<3>>       &rest; // by node
-    const Positions                    positions, rest_positions;
-    std::vector<PlacedRule>            regular; // by cell
-    std::vector<std::unique_ptr<Part>> cells;   // as parts of themselves, at rest
-    std::vector<std::unique_ptr<Part>> now;     // as they are
-    FullMatrix<double>                 fluxes;
-    PlacedRule                         singular; // the last one
-    std::vector<PlacedRule *>          found;
+    const Surface               &surface;
+    const std::vector<Point<3>> &places, &rest_places; // of the nodes
+    ReferenceRules              &rules;
+    std::vector<Cell>            cells;
+    std::vector<unsigned int>    found;
   };
 } // namespace caudal::ideal
 

@@ -18,7 +18,6 @@ namespace caudal::ideal
   {
     unsigned int n_along  = 8;
     unsigned int n_across = 4;
-    std::string  file;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;
@@ -39,8 +38,8 @@ namespace caudal::ideal
     static constexpr unsigned int degree           = 2;
     static constexpr unsigned int n_nodes_per_cell = (degree + 1) * (degree + 1);
 
-    /** The unit sphere, or the mesh that the section names. */
-    explicit Surface(const SurfaceParameters &parameters);
+    /** The unit sphere or, if there is one, the mesh in a file. */
+    explicit Surface(const SurfaceParameters &parameters, const std::string &file = "");
 
     unsigned int n_cells() const
     {

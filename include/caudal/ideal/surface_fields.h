@@ -10,7 +10,7 @@ namespace caudal::ideal
   /** The flow on the surface, at its nodes; vectors in the frame of the positions. */
   struct SurfaceFields
   {
-    std::vector<double>       pressure; ///< p - p_infinity [Pa]
+    Vector<double>            pressure; ///< p - p_infinity [Pa]
     std::vector<Tensor<1, 3>> velocity; ///< of the fluid, grad phi [m/s]
   };
 

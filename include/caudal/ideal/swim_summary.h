@@ -1,9 +1,8 @@
 #ifndef caudal_ideal_swim_summary_h
 #define caudal_ideal_swim_summary_h
 
-#include <caudal/ideal/motion_sample.h>
+#include <caudal/ideal/ideal_state.h>
 
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,17 +11,19 @@ namespace caudal
   /** The result of a swim at one frequency. */
   struct SwimSummary
   {
-    double frequency = 0.; ///< f [Hz]; 0 for a gait without period
-    double duration  = 0.; ///< T [s]
-    double length    = 0.; ///< L of the body [m]
-    double mass      = 0.; ///< of the body [kg]
+    /** What the state of a swim at its end tells; the rest is to be set. */
+    explicit SwimSummary(const SwimState &swim);
 
-    double distance = 0.; ///< of the centre of mass from its start, at T [m]
-    double stroke   = 0.; ///< the same from stroke to stroke, mean of all whole ones [m]
-    double turn     = 0.; ///< in a stroke, about e_3 [rad]
+    double frequency   = 0.;    ///< f [Hz]; 0 for a gait without period
+    double length      = 0.;    ///< L of the body [m]
+    double mass        = 0.;    ///< of the body [kg]
+    bool   has_torques = false; ///< so that powers are known
 
-    unsigned int n_strokes   = 0;     ///< whole ones
-    bool         has_torques = false; ///< so that powers are known
+    double       duration  = 0.; ///< T [s]
+    double       distance  = 0.; ///< of the centre of mass from its start, at T [m]
+    unsigned int n_strokes = 0;  ///< whole ones
+    double       stroke    = 0.; ///< distance from stroke to stroke, mean of all whole ones [m]
+    double       turn      = 0.; ///< in a stroke, about e_3 [rad]
 
     ideal::EnergyAverages energy; ///< over whole strokes, if there are any
 
@@ -42,43 +43,14 @@ namespace caudal
   /** What an ideal fluid leaves out: a paragraph that stands in every summary. */
   std::string get_ideal_fluid_statement();
 
-  /** All results with units, for the eye. */
-  void print_summaries(std::ostream &out, const std::vector<SwimSummary> &summaries);
+  /** All results with units, for the eye: a row for each quantity, a column for each swim. */
+  std::string print_text(const std::vector<SwimSummary> &summaries);
 
-  /** The same for programs: a row for each frequency, the names of the columns first. */
-  void print_csv(std::ostream &out, const std::vector<SwimSummary> &summaries);
+  /** A table for programs: a row for each swim, the names of the columns first. */
+  std::string print_csv(const std::vector<SwimSummary> &summaries);
 
-  /** The same with the units and constants of the body, an object of JSON. */
-  void print_json(std::ostream &out, const std::vector<SwimSummary> &summaries);
-
-  /** Adds up displacements and turns from the samples at the end of each stroke. */
-  class StrokeCounter
-  {
-  public:
-    void add(const ideal::MotionSample &sample);
-    void fill(SwimSummary &summary) const;
-
-    template <class Archive>
-    void serialize(Archive &archive, unsigned int /*version*/)
-    {
-      archive &ends;
-    }
-
-  private:
-    struct End
-    {
-      dealii::Tensor<1, 3> centre;
-      double               heading; // [rad]
-
-      template <class Archive>
-      void serialize(Archive &archive, unsigned int /*version*/)
-      {
-        archive &centre &heading;
-      }
-    };
-
-    std::vector<End> ends;
-  };
+  /** An object of JSON with the units, the constants of the body and all swims. */
+  std::string print_json(const std::vector<SwimSummary> &summaries);
 } // namespace caudal
 
 #endif

@@ -13,10 +13,8 @@ namespace caudal::ideal
   class TrigonometricTable
   {
   public:
-    TrigonometricTable() = default;
-
     /** @p samples by phase, then function. */
-    explicit TrigonometricTable(const std::vector<std::vector<double>> &samples);
+    explicit TrigonometricTable(std::vector<std::vector<double>> samples);
 
     /** The functions [first, last) at psi [rad]. */
     std::vector<double> values(double psi, unsigned int first, unsigned int last) const;
@@ -26,12 +24,11 @@ namespace caudal::ideal
 
     unsigned int n_functions() const
     {
-      return cosines.empty() ? 0 : cosines[0].size();
+      return samples.front().size();
     }
 
   private:
-    // f = sum_j cosines[j] cos(j psi) + sines[j] sin(j psi)
-    std::vector<std::vector<double>> cosines, sines;
+    std::vector<std::vector<double>> samples;
   };
 } // namespace caudal::ideal
 

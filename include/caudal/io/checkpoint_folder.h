@@ -2,25 +2,15 @@
 #define caudal_io_checkpoint_folder_h
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/parameter_handler.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <string>
 #include <vector>
 
 namespace caudal
 {
-  /** Section `Checkpoint`. */
-  struct CheckpointParameters
-  {
-    unsigned int step_interval      = 0;
-    double       wall_time_interval = 15; // [min]
-    unsigned int n_slots            = 2;
-    double       wall_time_limit    = 0; // [h]
-
-    void add_parameters(dealii::ParameterHandler &prm);
-    void check() const;
-  };
-
   /**
    * The checkpoints of a run, in the folder `restart` of its results: one slot
    * for each, `step-00000120`, with the state and a manifest that holds sizes
@@ -37,6 +27,12 @@ namespace caudal
       std::string              data;    // on all ranks
       std::string              path;    // of its slot
       std::vector<std::string> skipped; // newer slots that are not whole, and why
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int /*version*/)
+      {
+        archive &data &path &skipped;
+      }
     };
 
     /** @p results exists; @p n_slots is the number of checkpoints to keep. */
@@ -62,9 +58,6 @@ namespace caudal
 
     void write_slot(const std::string &data, unsigned int step, double time) const;
   };
-
-  /** Sends rank 0's text, of any length, to all ranks. Collective. */
-  void broadcast_text(std::string &text, MPI_Comm communicator);
 } // namespace caudal
 
 #endif

@@ -3,12 +3,25 @@
 
 #include <caudal/io/checkpoint_folder.h>
 
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <optional>
 
 namespace caudal
 {
+  /** Section `Checkpoint`. */
+  struct CheckpointParameters
+  {
+    unsigned int step_interval      = 0;
+    double       wall_time_interval = 15; // [min]
+    unsigned int n_slots            = 2;
+    double       wall_time_limit    = 0; // [h]
+
+    void add_parameters(dealii::ParameterHandler &prm);
+    void check() const;
+  };
+
   /** Writes a run's checkpoints when they are due; knows when its wall time is over. */
   class CheckpointWriter
   {

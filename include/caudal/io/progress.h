@@ -1,7 +1,8 @@
 #ifndef caudal_io_progress_h
 #define caudal_io_progress_h
 
-#include <chrono>
+#include <deal.II/base/timer.h>
+
 #include <ostream>
 #include <string>
 
@@ -39,21 +40,12 @@ namespace caudal
     /** Leaves the line; what is written next starts on a new one. */
     void finish();
 
-    /** Average since the construction, in wall time. */
-    double steps_per_second() const;
-
   private:
-    using Clock = std::chrono::steady_clock;
-
-    double      get_elapsed_seconds() const;
-    bool        is_due(double fraction) const;
-    std::string get_line(double time, unsigned int step) const;
-
-    std::ostream           &out;
-    const double            start_time;
-    const double            end_time;
-    const bool              rewrites_line;
-    const Clock::time_point start = Clock::now();
+    std::ostream       &out;
+    const double        start_time;
+    const double        end_time;
+    const bool          rewrites_line;
+    const dealii::Timer clock;
 
     unsigned int n_steps       = 0;
     double       last_fraction = 0; // of the simulated time, when last printed

@@ -2,6 +2,7 @@
 #define caudal_io_safe_file_h
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace caudal
@@ -20,6 +21,9 @@ namespace caudal
 
   /** Everything in a file. Throws likewise. */
   std::string read_whole_file(const std::filesystem::path &path);
+
+  /** Runs @p action; the reason why the system refused it, "" if it did not. */
+  std::string catch_file_error(const std::function<void()> &action);
 } // namespace caudal
 
 #endif

@@ -21,8 +21,8 @@ namespace caudal
    * for gnuplot, numpy.loadtxt and the eye: headers "# n: name [unit]", then
    * rows of numbers with ten significant digits, each row flushed.
    *
-   * The first row decides which columns there are and their order. The first
-   * quantity that is set has to be the time.
+   * The first row decides which columns there are; later ones are set in the same order. The
+   * first quantity that is set has to be the time.
    */
   class Statistics
   {
@@ -43,22 +43,14 @@ namespace caudal
     void write_row();
 
   private:
-    struct Column
-    {
-      std::string header; // name [unit]
-      double      value;
-      bool        is_set;
-    };
+    const std::string        file_name;
+    std::ofstream            file;
+    std::vector<std::string> headers; // name [unit]
+    std::vector<double>      row;     // what is set of the coming one
+    bool                     has_rows;
 
     std::string read_rows(double time);
     void        open(const std::string &text);
-    void        write_headers();
-
-    const std::string   file_name;
-    std::ofstream       file;
-    std::vector<Column> columns;
-    std::size_t         next              = 0; // the column that is probably set next
-    bool                columns_are_fixed = false;
   };
 } // namespace caudal
 

@@ -1,6 +1,9 @@
 #ifndef caudal_mesh_body_grid_h
 #define caudal_mesh_body_grid_h
 
+#include <caudal/base/parameter_file.h>
+#include <caudal/mesh/shape.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -11,41 +14,32 @@
 
 namespace caudal
 {
-  using namespace dealii;
-
   /**
-   * Shape, size, grid and initial place of a body: the subsection `Shape` of a
-   * body's section. Which entries a shape uses stands in their descriptions.
+   * Section `Shape` of a body in a viscous fluid: its shape, grid and initial place. Which
+   * entries a shape uses stands in their descriptions.
    */
   template <int dim>
   struct BodyGridParameters
   {
-    std::string               type           = "naca";
-    std::string               naca_digits    = "0012";
-    double                    length         = 1.;
-    double                    thickness      = 0.1;
-    double                    width          = 0.1;
-    double                    radius         = 0.1;
-    double                    wall_thickness = 0.05;
-    std::vector<unsigned int> elements =
-        dim == 2 ? std::vector<unsigned int>{209, 10} : std::vector<unsigned int>{20, 8, 8};
-    std::vector<Point<dim>> vertices;
-    std::string             file;
-    Point<dim>              position;
-    double                  rotation = 0.;
-    std::vector<double>     region_boundaries;
+    ShapeParameters<dim> shape;
+    GridDivisions        divisions;
+    Point<dim>           position;
+    double               rotation = 0.;
+
+    BodyGridParameters();
 
     void add_parameters(ParameterHandler &prm);
+
+    /** Entries of any body that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     /** Throws a sentence on values that can't work; @p path is "Body fish", for example. */
     void check(const std::string &path) const;
   };
 
   /**
-   * The body's grid in its own frame [m]: origin at the nose (naca, eel), at
-   * the middle of the root edge (beam) or at the centre (the others), axis
-   * along +x. Straight-sided quadrilaterals or hexahedra on one level; the
-   * material id is the region, 0 to @p n_regions - 1, all boundary ids are 0.
+   * The body's grid in its own frame [m]: straight-sided quadrilaterals or hexahedra on one
+   * level; the material id is the region, 0 to @p n_regions - 1, all boundary ids are 0.
    *
    * Cells belong to the region their centre lies in. For naca, eel, beam, rectangle
    * and quadrilateral each region boundary is a grid line.

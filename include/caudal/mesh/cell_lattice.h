@@ -74,7 +74,8 @@ namespace caudal
   public:
     explicit CellSet(const CellLattice<dim> &lattice);
 
-    /** Adds every cell that meets one of the @p boxes, each enlarged by @p margin cells. */
+    /** Adds every cell of the domain that meets one of the @p boxes, each enlarged by @p margin
+     * cells. */
     void add(const std::vector<BoundingBox<dim>> &boxes, double margin);
 
     /** Whether the cell, or a finest cell inside it, belongs to the set. */
@@ -86,12 +87,6 @@ namespace caudal
       return keys.back().size();
     }
 
-    /** Whether all boxes, with their margins, were inside the domain. */
-    bool is_inside_domain() const
-    {
-      return inside_domain;
-    }
-
     /** Whether each of the cells is an active one of the finest level (collective). */
     bool is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const;
 
@@ -99,7 +94,6 @@ namespace caudal
     using Key = typename CellLattice<dim>::Key;
     const CellLattice<dim>              &lattice;
     std::vector<std::unordered_set<Key>> keys;
-    bool                                 inside_domain = true;
   };
 
   /** Finds the locally owned cells of the finest level by their coordinates. */

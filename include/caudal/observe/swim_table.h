@@ -7,26 +7,29 @@
 
 namespace caudal
 {
-  /** What stands in front of the rows on the screen, with the definitions of its columns. */
-  void write_screen_header(std::ostream &out, const SwimmerConstants &swimmer);
+  /** Which quantities a table of tail beats has. */
+  enum class SwimTable
+  {
+    screen, ///< those for which there is room
+    file    ///< all
+  };
 
-  /** The row of a beat on the screen: what there is room for. */
-  void write_screen_row(std::ostream &out, const SwimmerConstants &swimmer, std::size_t number,
-                        const TailBeat &beat);
+  /** What stands in front of the rows: the definitions of the columns and their titles. */
+  void write_header(std::ostream &out, const SwimmerConstants &swimmer, SwimTable table);
+
+  /** The row of a beat. */
+  void write_row(std::ostream &out, const SwimmerConstants &swimmer, std::size_t number,
+                 const TailBeat &beat, SwimTable table);
 
   /**
-   * The mean of beats at the end of a run, all quantities with their units and definitions:
+   * The mean of beats at the end of a run, all quantities with their units:
    * @p n_beats of @p n_all.
    */
   void write_summary(std::ostream &out, const SwimmerConstants &swimmer, const TailBeat &mean,
                      std::size_t n_beats, std::size_t n_all);
 
-  /** All beats in columns that are defined in the header, for the eye and for programs. */
-  void write_swim_table(std::ostream &out, const SwimmerConstants &swimmer,
-                        const std::vector<TailBeat> &beats);
-
   /**
-   * The same as JSON: the constants, for each quantity its symbol, unit and definition, the
+   * The table as JSON: the constants, for each quantity its symbol, unit and definition, the
    * beats, and the mean of the last @p n_steady, which are steady (null if there are none).
    * What is not finite, such as a Strouhal number without speed, is null.
    */

@@ -2,20 +2,13 @@
 #define caudal_observe_tail_beat_h
 
 #include <caudal/observe/energy_ledger.h>
+#include <caudal/observe/tail_cycle.h>
 
 #include <string>
 #include <vector>
 
 namespace caudal
 {
-  /** One full cycle of the tail, from an up-crossing to the next. */
-  struct TailCycle
-  {
-    double start     = 0; // [s]
-    double end       = 0; // [s]
-    double amplitude = 0; // half the distance from peak to trough [m]
-  };
-
   /** What does not change while the fish swims; per metre of span in 2D. */
   struct SwimmerConstants
   {
@@ -50,50 +43,42 @@ namespace caudal
     }
   };
 
-  /** The numbers of one tail beat; swim_table.cc has their definitions, units and sources. */
+  struct TailBeat;
+
+  /** A quantity of a tail beat: all that the table on the screen and the files say about it. */
+  struct TailBeatQuantity
+  {
+    double TailBeat::*value;
+    std::string       name, symbol, unit;
+    bool              is_per_span; // in two dimensions
+    std::string       definition;
+    int               precision; // digits after the point
+    bool              is_on_screen;
+    /** Whether several beats have the mean of it; what else there is follows from these means. */
+    bool is_averaged;
+  };
+
+  /** All quantities of a tail beat, in the order of their columns. */
+  const std::vector<TailBeatQuantity> &get_tail_beat_quantities();
+
+  /** The numbers of one tail beat; get_tail_beat_quantities() defines them. */
   struct TailBeat
   {
-    double start                 = 0;
-    double period                = 0;
-    double frequency             = 0;
-    double amplitude             = 0;
-    double speed                 = 0;
-    double lengths_per_s         = 0;
-    double strouhal              = 0;
-    double reynolds              = 0;
-    double swimming              = 0;
-    double power                 = 0;
-    double peak_power            = 0;
-    double energy_per_metre      = 0;
-    double cost_of_transport     = 0;
-    double momentum_rate         = 0;
-    double body_force            = 0;
-    double fluid_force           = 0; // if there is a control volume
-    double thrust                = 0;
-    double drag                  = 0;
-    double froude_efficiency     = 0;
-    double towing_power          = 0;
-    double quasi_propulsive      = 0;
-    double muscle_work           = 0;
-    double kinetic_energy        = 0;
-    double elastic_energy        = 0;
-    double dissipation           = 0;
-    double numerical_dissipation = 0;
-    double feedback              = 0;
-    double external_work         = 0;
-    double residual              = 0;
-    double change                = 0; // of U since the beat before, relative
-    bool   is_steady             = false;
+    double start = 0, period = 0, frequency = 0, amplitude = 0;
+    double speed = 0, lengths_per_s = 0, strouhal = 0, reynolds = 0, swimming = 0;
+    double power = 0, peak_power = 0, energy_per_metre = 0, cost_of_transport = 0;
+    double momentum_rate = 0, body_force = 0, fluid_force = 0, thrust = 0, drag = 0;
+    double froude_efficiency = 0, towing_power = 0, quasi_propulsive = 0;
+    double muscle_work = 0, kinetic_energy = 0, elastic_energy = 0, dissipation = 0;
+    double numerical_dissipation = 0, feedback = 0, external_work = 0, residual = 0;
+    double change = 0; // [%]
+    double steady = 0; // 1 or 0
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &start &period &frequency &amplitude &speed &lengths_per_s &strouhal &reynolds;
-      archive &swimming &power &peak_power &energy_per_metre &cost_of_transport    &momentum_rate;
-      archive &body_force &fluid_force &thrust &drag &froude_efficiency &towing_power
-                                                                        &quasi_propulsive;
-      archive &muscle_work &kinetic_energy &elastic_energy &dissipation &numerical_dissipation;
-      archive &feedback &external_work &residual &change                &is_steady;
+      for (const TailBeatQuantity &quantity : get_tail_beat_quantities())
+        archive &(this->*quantity.value);
     }
   };
 

@@ -6,7 +6,7 @@
 #include <caudal/io/output_folder.h>
 #include <caudal/io/statistics.h>
 #include <caudal/solid/elastic_parameters.h>
-#include <caudal/solid/elasticity.h>
+#include <caudal/solid/load.h>
 
 namespace caudal
 {
@@ -31,8 +31,9 @@ namespace caudal
   private:
     const ElasticParameters<dim> &parameters;
     SolidBody<dim>                solid;
-    ElasticSystem                 system;
-    Vector<double>                weight, acceleration;
+    std::unique_ptr<Load<dim>>    elasticity;
+    BodyResponse                  response;
+    Vector<double>                weight, positions, velocity, acceleration;
     SparseMatrix<double>          matrix;
 
     /** Solves a step of length @p step [s], or for the equilibrium under @p load of the weight. */

@@ -15,10 +15,37 @@
 
 namespace caudal
 {
+  /** The unknowns of a node, one for each component. */
+  template <int dim>
+  using Node = std::array<unsigned int, dim>;
+
+  /** The value of a nodal field at a node. */
+  template <std::size_t dim>
+  Point<dim> get_value(const Vector<double> &field, const std::array<unsigned int, dim> &node)
+  {
+    Point<dim> value;
+    for (unsigned int d = 0; d < dim; ++d)
+      value[d] = field[node[d]];
+    return value;
+  }
+
+  /** The positions of the nodes of a body's cell, in the order of its scalar shape functions. */
+  template <int dim>
+  std::vector<Point<dim>> get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                         const Vector<double> &positions);
+
+  template <std::size_t dim>
+  void set_value(Vector<double> &field, const std::array<unsigned int, dim> &node,
+                 const Tensor<1, static_cast<int>(dim)> &value)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      field[node[d]] = value[d];
+  }
+
   /**
-   * A hyperelastic body: its grid in the reference configuration (its own
-   * frame), the positions X(s,t) and velocities U(s,t) of its nodes, and the
-   * matrices that do not change. It is replicated on all ranks.
+   * A hyperelastic solid in its reference configuration (its own frame): grid, materials, nodes
+   * and the matrices that do not change. Nodal positions X(s,t) and velocities U(s,t) are vectors
+   * in the domain's frame. It is replicated on all ranks.
    */
   template <int dim>
   class SolidBody
@@ -55,9 +82,15 @@ namespace caudal
     /** Puts the nodes of fixed regions back to where they were at the start. */
     void restore_fixed_nodes(Vector<double> &positions) const;
 
-    const StressModel<dim> &get_stress_model(const unsigned int region) const
+    const Material<dim> &get_material(const unsigned int region) const
     {
-      return *stress_models[region];
+      return *materials[region];
+    }
+
+    /** kappa_v, the modulus of the energy of the cells' volumes in a region [Pa]. */
+    double get_cell_volume_stabilisation(const unsigned int region) const
+    {
+      return parameters.region_parameters[region]->cell_volume_stabilisation;
     }
 
     /** M_s = int N_a N_b ds. */
@@ -87,8 +120,7 @@ namespace caudal
     /** vector := M_s^-1 vector */
     void apply_inverse_mass(Vector<double> &vector) const;
 
-    /** The unknowns of a node, one for each component. */
-    using Node = std::array<unsigned int, dim>;
+    using Node = caudal::Node<dim>;
     const std::vector<Node> &get_nodes() const
     {
       return nodes;
@@ -97,6 +129,11 @@ namespace caudal
     const std::vector<Node> &get_head_nodes() const
     {
       return head_nodes;
+    }
+    /** X_0, where the parameters place the nodes at the start [m]. */
+    const Vector<double> &get_initial_positions() const
+    {
+      return initial_positions;
     }
     /** Reference point (own frame) of an unknown. */
     const Point<dim> &get_reference_point(const unsigned int dof) const
@@ -153,28 +190,21 @@ namespace caudal
       return quadrature_data;
     }
 
-    /** Positions at the start. */
-    Vector<double> initial_positions;
-    /** State at t^n and t^{n-1}: positions [m], velocities [m/s]. */
-    Vector<double> positions, old_positions, velocity, old_velocity;
-    /** Phi = M_s^-1 b at t^n: all forces on the fluid per reference volume [N/m^dim]. */
-    Vector<double> force_density;
-
   private:
-    const SolidParameters<dim>                    &parameters;
-    Triangulation<dim>                             triangulation;
-    const FESystem<dim>                            element;
-    DoFHandler<dim>                                dof_handler;
-    std::vector<std::unique_ptr<StressModel<dim>>> stress_models;
-    SparsityPattern                                pattern;
-    SparseMatrix<double>                           mass, feedback_stiffness, feedback_damping;
-    SparseDirectUMFPACK                            inverse_mass;
-    double                                         excess_density, reference_volume = 0;
-    QuadratureData                                 quadrature_data;
-    std::vector<Node>                              nodes, head_nodes;
-    std::vector<Point<dim>>                        reference_points;
-    std::vector<bool>                              fixed_dofs;
-    Vector<double>                                 nodal_volumes;
+    const SolidParameters<dim>                 &parameters;
+    Triangulation<dim>                          triangulation;
+    const FESystem<dim>                         element;
+    DoFHandler<dim>                             dof_handler;
+    std::vector<std::unique_ptr<Material<dim>>> materials;
+    SparsityPattern                             pattern;
+    SparseMatrix<double>                        mass, feedback_stiffness, feedback_damping;
+    SparseDirectUMFPACK                         inverse_mass;
+    double                                      excess_density, reference_volume = 0;
+    QuadratureData                              quadrature_data;
+    std::vector<Node>                           nodes, head_nodes;
+    std::vector<Point<dim>>                     reference_points;
+    std::vector<bool>                           fixed_dofs;
+    Vector<double>                              initial_positions, nodal_volumes;
 
     struct PointValue
     {

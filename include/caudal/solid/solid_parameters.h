@@ -2,21 +2,22 @@
 #define caudal_solid_solid_parameters_h
 
 #include <caudal/mesh/body_grid.h>
-#include <caudal/solid/stress.h>
+#include <caudal/solid/material_parameters.h>
 
 #include <memory>
 
 namespace caudal
 {
   /** Section `Body <name>/Region <name>`: material and feedback force of a part of the body. */
+  template <int dim>
   struct RegionParameters
   {
-    MaterialParameters material;
-    double             cell_volume_stabilisation = 0;
-    double             feedback_stiffness        = 0;
-    double             feedback_damping          = 0;
-    std::string        feedback_directions       = "xyz";
-    std::string        motion                    = "free";
+    MaterialParameters<dim> material;
+    double                  cell_volume_stabilisation = 0;
+    double                  feedback_stiffness        = 0;
+    double                  feedback_damping          = 0;
+    std::string             feedback_directions       = "xyz";
+    std::string             motion                    = "free";
 
     void add_parameters(ParameterHandler &prm);
     void check(const std::string &path) const;
@@ -34,8 +35,8 @@ namespace caudal
     std::vector<Point<dim>> monitored_points;
     std::string             traction; // of SurfaceLoad
 
-    BodyGridParameters<dim>                        grid;
-    std::vector<std::unique_ptr<RegionParameters>> region_parameters;
+    BodyGridParameters<dim>                             grid;
+    std::vector<std::unique_ptr<RegionParameters<dim>>> region_parameters;
 
     /** The names decide which subsections there are. */
     SolidParameters(const std::string &name, const std::vector<std::string> &regions);
@@ -46,6 +47,10 @@ namespace caudal
     std::string get_path() const
     {
       return "Body " + name;
+    }
+    std::string get_region_path(const unsigned int region) const
+    {
+      return get_path() + "/Region " + regions[region];
     }
   };
 } // namespace caudal

@@ -1,7 +1,7 @@
 #ifndef caudal_viscous_body_distance_h
 #define caudal_viscous_body_distance_h
 
-#include <caudal/viscous/swimming_body.h>
+#include <caudal/viscous/operators.h>
 
 namespace caudal
 {
@@ -9,13 +9,12 @@ namespace caudal
   DeclException1(ExcBodiesMeet, std::string, << arg1);
 
   /**
-   * Throws ExcBodiesMeet if two bodies are closer, at their new positions, than a cell of the
-   * finest level of the fluid's @p lattice or the width of a kernel: grid and kernel then do not
-   * resolve the fluid between them, and nothing keeps them from running into each other.
+   * Throws ExcBodiesMeet if two bodies in these @p states are closer than a cell of the finest
+   * level of the fluid's grid or the width of the kernel: grid and kernel then do not resolve the
+   * fluid between them, and nothing keeps them from running into each other.
    */
   template <int dim>
-  void check_distances(const std::vector<std::unique_ptr<SwimmingBody<dim>>> &bodies,
-                       const CellLattice<dim>                                &lattice);
+  void check_distances(const Operators<dim> &operators, const std::vector<BodyState> &states);
 } // namespace caudal
 
 #endif

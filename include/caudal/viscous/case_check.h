@@ -1,12 +1,11 @@
 #ifndef caudal_viscous_case_check_h
 #define caudal_viscous_case_check_h
 
-#include <caudal/viscous/parameters.h>
-#include <caudal/viscous/time_scheme.h>
+#include <caudal/viscous/operators.h>
 
 namespace caudal
 {
-  /** What a few steps from the start have cost. */
+  /** Costs of a few steps from the start. */
   struct TrialCost
   {
     unsigned int n_steps = 0;
@@ -14,12 +13,14 @@ namespace caudal
     double       memory  = 0; // [MiB] on all ranks
   };
 
-  /** What can be told of a case before it runs: its resolution, its costs, and doubts. */
+  /** Resolution and costs of a case, and what may go wrong, as far as it is known before it runs.
+   */
   template <int dim>
   class CaseCheck
   {
   public:
-    CaseCheck(const RunParameters<dim> &parameters, const ImmersedSystem<dim> &system);
+    /** At the start, where the fluid's grid has @p n_cells; 0 if that is not known. */
+    CaseCheck(const Operators<dim> &operators, unsigned int n_cells);
 
     /** Thickness and spacing of the bodies on the fluid's grid, steps that the schemes can take. */
     void print_resolution(std::ostream &out) const;
@@ -28,11 +29,11 @@ namespace caudal
     void print_costs(std::ostream &out, const TrialCost &trial) const;
 
     /** What is likely to spoil the results, each with a remedy. */
-    std::vector<std::string> find_doubts() const;
+    std::vector<std::string> find_warnings() const;
 
   private:
     /** How a body lies on the fluid's grid and in the domain. */
-    struct Body
+    struct BodyOnGrid
     {
       std::string              path;
       std::vector<std::string> regions;
@@ -50,14 +51,14 @@ namespace caudal
     const RunParameters<dim> &parameters;
     const double              n_cells;
     const double              cell_size, kernel_width; // on the finest level [m]
-    std::vector<Body>         bodies;
+    std::vector<BodyOnGrid>   bodies;
 
-    Body   describe_body(const SwimmingBody<dim> &swimmer) const;
-    void   measure_room(const SolidBody<dim> &solid, Body &body) const;
-    void   add_thickness_doubts(std::vector<std::string> &doubts) const;
-    void   add_domain_doubts(std::vector<std::string> &doubts) const;
-    void   add_wake_doubts(std::vector<std::string> &doubts) const;
-    double get_explicit_limit() const; // [s]
+    BodyOnGrid describe_body(const Body<dim> &swimmer) const;
+    void       measure_room(const SolidBody<dim> &solid, BodyOnGrid &body) const;
+    void       add_thickness_warnings(std::vector<std::string> &warnings) const;
+    void       add_domain_warnings(std::vector<std::string> &warnings) const;
+    void       add_wake_warnings(std::vector<std::string> &warnings) const;
+    double     get_explicit_limit() const; // [s]
   };
 } // namespace caudal
 

@@ -1,27 +1,18 @@
 #ifndef caudal_viscous_failure_report_h
 #define caudal_viscous_failure_report_h
 
-#include <caudal/viscous/time_scheme.h>
+#include <caudal/viscous/advance.h>
 
 namespace caudal
 {
-  /** What a step fails of. */
-  enum class FailureKind
-  {
-    no_convergence,
-    inverted_element,
-    not_finite,
-    other // the exception names its remedy
-  };
-
   /**
-   * Where to look after a failed step: the fastest flow of the last good state, for each body its
-   * most deformed element in the failed step and the nearest side of the @p domain; then the
-   * likely cause and what to change. Collective.
+   * The likely cause of the @p failure of a step from @p state, what to change, and where to look:
+   * the fastest flow, and for each body its most deformed element, before and in the failed step,
+   * and the nearest side of the domain. Collective.
    */
   template <int dim>
-  std::string describe_failure(FailureKind kind, const ImmersedSystem<dim> &system,
-                               const BoundingBox<dim> &domain);
+  std::string describe_failure(const StepFailure &failure, const Operators<dim> &operators,
+                               const State<dim> &state);
 } // namespace caudal
 
 #endif

@@ -3,11 +3,14 @@
 
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/time_stepping.h>
-#include <caudal/io/checkpoint_folder.h>
+#include <caudal/coupling/interaction_operator.h>
+#include <caudal/fluid/fluid_parameters.h>
+#include <caudal/io/checkpoint_writer.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
-#include <caudal/observe/guard_parameters.h>
-#include <caudal/viscous/swimming_body.h>
+#include <caudal/observe/observers.h>
+#include <caudal/solid/body.h>
+#include <caudal/viscous/solver_parameters.h>
 
 namespace caudal
 {
@@ -28,22 +31,25 @@ namespace caudal
     unsigned int dimension = dim;
     std::string  bodies_text;
 
-    TimeParameters                                            time;
-    DomainParameters<dim>                                     domain;
-    FluidParameters<dim>                                      fluid;
-    CouplingParameters                                        coupling;
-    RefinementParameters                                      refinement;
-    SolverParameters                                          solver;
-    OutputParameters                                          output;
-    CheckpointParameters                                      checkpoint;
-    GuardParameters                                           guards;
-    std::vector<std::unique_ptr<SwimmingBodyParameters<dim>>> bodies;
+    TimeParameters                                    time;
+    DomainParameters<dim>                             domain;
+    FluidParameters<dim>                              fluid;
+    CouplingParameters                                coupling;
+    RefinementParameters                              refinement;
+    SolverParameters                                  solver;
+    OutputParameters                                  output;
+    CheckpointParameters                              checkpoint;
+    Observers<dim>                                    observers;
+    std::vector<std::unique_ptr<BodyParameters<dim>>> bodies;
 
     /**
      * The bodies and their regions, which decide what sections there are, are
-     * those that @p file names; without a file one body <name> with one region.
+     * those that @p file names; without a file one body `<name>` with one region.
      */
     explicit RunParameters(const ParameterFile *file);
+
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries();
 
     void declare(ParameterHandler &prm);
     void check() const;

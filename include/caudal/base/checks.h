@@ -1,0 +1,29 @@
+#ifndef caudal_base_checks_h
+#define caudal_base_checks_h
+
+#include <string>
+
+namespace caudal
+{
+  /**
+   * Checks of values that the user gives. Each throws, if @p value is not as it should be, the
+   * sentences "<path>: the value is <value>. <remedy>"; the remedy is an order, "Give a positive
+   * length [m].".
+   */
+  void check_value(bool is_right, const std::string &path, double value, const std::string &remedy);
+
+  void check_finite(const std::string &path, double value,
+                    const std::string &remedy = "Give a finite number.");
+
+  void check_positive(const std::string &path, double value,
+                      const std::string &remedy = "Give a positive number.");
+
+  void check_not_negative(const std::string &path, double value,
+                          const std::string &remedy = "Give 0 or a positive number.");
+
+  /** Both bounds are allowed. */
+  void check_between(const std::string &path, double value, double lowest, double highest,
+                     const std::string &remedy);
+} // namespace caudal
+
+#endif

@@ -1,0 +1,69 @@
+#ifndef caudal_fish_elliptic_body_h
+#define caudal_fish_elliptic_body_h
+
+#include <caudal/mesh/shape.h>
+
+#include <utility>
+
+namespace caudal
+{
+  /**
+   * A body of elliptic sections across its spine, with round ends: their half-axes are
+   *   a(s) = g_a(s) E(s), b(s) = g_b(s) E(s), E = 2 sqrt(s (L - s))/L,
+   * so that it is the image of the unit ball: s = L (1 + X_1)/2, y = g_a X_2, z = g_b X_3, with
+   * the Jacobian L g_a g_b/2.
+   */
+  class EllipticBody : public StraightBody
+  {
+  public:
+    explicit EllipticBody(double length);
+
+    double                 get_length() const override;
+    Point<3>               place(const Point<3> &reference) const override;
+    double                 half_width(double s) const override;
+    std::vector<BodySlice> compute_slices() const override;
+    bool                   is_symmetric() const override;
+
+    /** E(s) */
+    static double get_end_factor(double s, double length);
+
+  private:
+    /** g_a and g_b at s [m]. */
+    virtual std::pair<double, double> get_scales(double s) const = 0;
+
+    const double length;
+  };
+
+  /**
+   * The shapes that an EllipticBody describes: its surface, the grid inside (3D), and that of the
+   * section z = 0 (2D).
+   */
+  template <int dim>
+  class EllipticShape : public Shape<dim>
+  {
+  public:
+    bool has_surface() const override;
+
+    void check_divisions(const ShapeLengths &lengths, const GridDivisions &divisions,
+                         const std::string &path) const override;
+
+    /**
+     * Elements along the body are those between its round ends, elements across are those of a
+     * section: a core and m layers round it, a fifth of them on each side. In 3D the core has
+     * n_x x n_y x n_z elements, each flank n_x x n_y x m or n_x x n_z x m, each end
+     * n_y x n_z x m.
+     */
+    void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
+                   const std::string &path, Triangulation<dim> &tria) const override;
+  };
+
+  /**
+   * The unit disc or ball as an image of a cube: a core of @p core elements in each direction,
+   * from whose faces @p n_layers layers of elements reach to the circle or sphere.
+   */
+  template <int dim>
+  void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
+                       unsigned int n_layers);
+} // namespace caudal
+
+#endif

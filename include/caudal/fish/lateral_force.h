@@ -1,0 +1,33 @@
+#ifndef caudal_fish_lateral_force_h
+#define caudal_fish_lateral_force_h
+
+#include <caudal/fish/body_function.h>
+#include <caudal/fish/muscle.h>
+
+#include <memory>
+
+namespace caudal
+{
+  /** The muscles that pull sideways: f_a = f(s,t) g(s,y) e_y, g the entry `Force distribution`. */
+  template <int dim>
+  class LateralForce : public Muscle<dim>
+  {
+  public:
+    void set_up(const SharedMuscleParameters &shared, double length,
+                const std::map<std::string, types::material_id> &region_ids) override;
+
+    bool has_force() const override;
+
+    Tensor<1, dim> force_density(const Contraction &contraction, const MaterialPoint<dim> &point,
+                                 double time) const override;
+
+  protected:
+    /** f(s,t) [N/m^3] at the arc length @p s [body lengths]. */
+    virtual double amplitude(const Contraction &contraction, double s, double time) const = 0;
+
+  private:
+    std::shared_ptr<const BodyFunction> distribution;
+  };
+} // namespace caudal
+
+#endif

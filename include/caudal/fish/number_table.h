@@ -1,0 +1,42 @@
+#ifndef caudal_fish_number_table_h
+#define caudal_fish_number_table_h
+
+#include <string>
+#include <vector>
+
+namespace caudal
+{
+  /** A table of numbers, with the place where each row stands for messages about it. */
+  struct NumberTable
+  {
+    struct Row
+    {
+      std::vector<double> values;
+      std::string         place; ///< "Gait/Table/File: angles.csv, line 3: "
+    };
+
+    std::vector<std::string> header; ///< the words of a first row that begins with one
+    std::string              header_place;
+    std::vector<Row>         rows;
+  };
+
+  /** The number that @p field says; throws a sentence, which begins with @p place, if it is none.
+   */
+  double parse_number(const std::string &field, const std::string &place);
+
+  /**
+   * The rows of numbers in a text file: entries separated by commas or blanks, comments from
+   * '#' on, line ends of Windows. A first row that begins with a word is the header. Throws a
+   * sentence about the first bad row, also unless each one has @p n_columns numbers, of which 0
+   * allows any number. @p entry is the section and entry of the .prm that messages name,
+   * together with file and line.
+   */
+  NumberTable read_number_table(const std::string &entry, const std::string &file_name,
+                                unsigned int n_columns);
+
+  /** Reads a table from a text in which ';' separates the rows. */
+  NumberTable parse_number_table(const std::string &entry, const std::string &text,
+                                 unsigned int n_columns);
+} // namespace caudal
+
+#endif

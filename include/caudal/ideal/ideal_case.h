@@ -1,0 +1,50 @@
+#ifndef caudal_ideal_ideal_case_h
+#define caudal_ideal_ideal_case_h
+
+#include <caudal/ideal/deformation.h>
+#include <caudal/ideal/ideal_parameters.h>
+#include <caudal/ideal/torques.h>
+
+#include <memory>
+#include <ostream>
+
+namespace caudal
+{
+  /** A body at rest in an ideal fluid, with its surface and its gait. */
+  class IdealCase
+  {
+  public:
+    /** Refuses with a sentence what can't work. Refers to the parameters. */
+    explicit IdealCase(const IdealParameters &parameters);
+
+    /** Tells sizes, and what is likely to surprise. */
+    void print_summary(std::ostream &out) const;
+
+    /** Whether the fluid is solved for at some phases of one stroke only. */
+    bool uses_table() const;
+
+    /** Whether there are strokes: the gait has a period, and the body is not rigid. */
+    bool has_strokes() const;
+
+    /** Whether it swims without an impulse at the start and without external forces. */
+    bool is_from_rest() const;
+
+    ideal::Torques get_torques() const;
+
+    /** The body's mass [kg]. */
+    double compute_mass() const;
+
+    const IdealParameters                    &parameters;
+    const ideal::Surface                      surface;
+    const std::unique_ptr<StraightBody>       straight_body;
+    const std::unique_ptr<Gait>               gait;
+    const std::unique_ptr<ideal::Deformation> deformation;
+
+  private:
+    bool   is_rigid() const;
+    double compute_volume() const; // [m^3]
+    double compute_largest_bend(unsigned int n_samples) const;
+  };
+} // namespace caudal
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef caudal_solid_load_h
+#define caudal_solid_load_h
+
+#include <caudal/fish/muscle.h>
+#include <caudal/fish/prescribed_motion.h>
+#include <caudal/solid/solid_body.h>
+
+namespace caudal
+{
+  /** The motion of a body, of which its loads are functions. */
+  struct BodyMotion
+  {
+    /** X(s) [m] and U(s) [m/s] at the nodes. */
+    const Vector<double> &positions, &velocity;
+    /** Time [s], in the step or at one of its ends, and the length of the step [s]. */
+    double time, step;
+    /** The muscle's decision for the step. */
+    const Contraction &contraction;
+  };
+
+  /** How the forces b on a body respond to its motion: -db/dX and -db/dU. */
+  struct BodyResponse
+  {
+    SparseMatrix<double> stiffness, damping;
+
+    /** Both are zero, with the pattern of the body's matrices. */
+    explicit BodyResponse(const SparsityPattern &pattern)
+        : stiffness(pattern)
+        , damping(pattern)
+    {}
+  };
+
+  /** To which account of the energy ledger the work of a load belongs. */
+  enum class LoadAccount
+  {
+    elastic,
+    feedback,
+    muscle,
+    gait
+  };
+
+  /**
+   * A load on a body, a contribution to the forces b(X, U, t) that its shape functions test
+   * [N, in 2D N/m]. A body has a list of them.
+   */
+  template <int dim>
+  class Load
+  {
+  public:
+    virtual ~Load() = default;
+
+    virtual LoadAccount get_account() const = 0;
+
+    /**
+     * Adds the load in the @p motion to @p force and, unless that is null, its derivatives to
+     * @p response. Throws ExcInvertedElement if it needs det F > 0 and there is none.
+     */
+    virtual void add(const BodyMotion &motion, Vector<double> &force,
+                     BodyResponse *response) const = 0;
+  };
+
+  /** -int P : grad N ds - sum over the cells of kappa_v V/v ln(v/V) dv/dX, see Region. */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &body);
+
+  /** int kappa (X_0 - X).N ds - int eta U.N ds in the directions in which springs and dampers act.
+   */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &body);
+
+  /** int f_a.N ds - int F S_a : grad N ds: force density and active stress of the @p muscle. */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &body,
+                                              const Muscle<dim>    &muscle);
+
+  /**
+   * int t.N dS of a dead load t(s, t) on the surface, entry `Traction`: force per area of the
+   * reference configuration [Pa], at the points s of the body's own frame, in directions of the
+   * domain. Its work counts as the muscle's.
+   */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &body);
+
+  /**
+   * int eta (V - U).N ds, V the velocity that the @p gait asks for, up to the velocity of the
+   * body's frame, which the step's equations add: the deformation velocity of the prescribed shape,
+   * laid over the body by a rotation and a translation, plus its distance from X over ten steps.
+   */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
+                                            double damping);
+} // namespace caudal
+
+#endif

@@ -1,0 +1,102 @@
+#ifndef caudal_viscous_step_parts_h
+#define caudal_viscous_step_parts_h
+
+#include <caudal/viscous/advance.h>
+
+namespace caudal
+{
+  /** Forces on a body by account, tested with its shape functions [N, in 2D N/m]. */
+  using BodyForces = std::map<LoadAccount, Vector<double>>;
+
+  // The parts that the time schemes share, in the order in which a step takes them.
+
+  /**
+   * Makes the factorisation that the state remembers anew if it is not there: in a resumed run, or
+   * after a failed step.
+   */
+  template <int dim>
+  void recall_factorisation(const Operators<dim> &operators, const SolverMemory &memory);
+
+  /** Muscle to body: what controllers and muscles decide on the step, body by body. */
+  template <int dim>
+  std::vector<Contraction> command_muscles(const Operators<dim> &operators, const State<dim> &state,
+                                           double dt);
+
+  /** What the bodies contribute to the equations of a step. */
+  template <int dim>
+  struct LinearisedBodies
+  {
+    std::vector<InteractionOperator<dim>> interactions;
+    std::vector<BodyEquations<dim>>       equations; // they refer to the interactions
+    std::vector<BodyForces>               forces;
+    /** r_q = Z^T M_s (V - U*), V the velocity that a gait asks for. */
+    std::vector<Vector<double>> frame_residuals;
+  };
+
+  /** Linearises the forces of all bodies about @p point, and computes their interactions there. */
+  template <int dim>
+  LinearisedBodies<dim> linearise_bodies(const Operators<dim> &operators,
+                                         const Linearisation  &point);
+
+  /**
+   * Body to fluid: adds the @p forces G^T Phi of all bodies, Phi their force densities. Returns the
+   * sum of their norms.
+   */
+  template <int dim>
+  double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
+                               const std::vector<Vector<double>>           &force_densities,
+                               FieldVector                                 &forces);
+
+  /** The first guess of a step's solution, which satisfies the boundary conditions at its end. */
+  struct FluidGuess
+  {
+    FieldVector velocity, pressure;
+  };
+
+  /** Velocity and pressure at the end of a step, and the corrections of the bodies. */
+  struct FluidSolution
+  {
+    FieldVector               velocity, pressure;
+    std::vector<BodyUnknowns> bodies;
+    unsigned int              n_iterations = 0;
+  };
+
+  /**
+   * Solves for the corrections to the first @p guess, whose @p residual still lacks that of the
+   * continuity equation, and applies them to the fluid. @p force_scale: what
+   * apply_bodies_to_fluid() returns.
+   */
+  template <int dim>
+  FluidSolution solve_and_correct(const Operators<dim> &operators, const FluidGuess &guess,
+                                  CoupledUnknowns                             residual,
+                                  const std::vector<BodyEquations<dim>>      &equations,
+                                  const std::shared_ptr<const Linearisation> &point,
+                                  double force_scale, SolverMemory &memory);
+
+  /** Fluid to body: the velocity U = M_s^-1 G u with which the body follows the fluid. */
+  template <int dim>
+  Vector<double> follow_fluid(const Body<dim> &body, const InteractionOperator<dim> &interaction,
+                              const FieldVector &velocity);
+
+  /**
+   * Adds the work of the step from @p before to @p after by the midpoint rule, from the @p forces
+   * in the middle of the step: those of feedback, and those of the muscle or, with a gait, the
+   * elastic ones. Returns the mean power of what drives the body [W, in 2D W/m].
+   */
+  template <int dim>
+  double account_work(const Body<dim> &body, const BodyState &before, const BodyForces &forces,
+                      double dt, BodyState &after);
+
+  /**
+   * Checks the state @p after of a step from @p before and fills its report. Throws unless
+   * velocities are finite, no body cell is inverted and the bodies are far enough from each other.
+   * @p predicted: where the bodies were expected.
+   */
+  template <int dim>
+  void check_step(const Operators<dim> &operators, const State<dim> &before,
+                  const State<dim> &after, const std::vector<Vector<double>> &predicted,
+                  const std::vector<InteractionOperator<dim>> &interactions, double dt,
+                  StepReport<dim> &report);
+} // namespace caudal
+
+#endif

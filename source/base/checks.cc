@@ -1,0 +1,45 @@
+#include <caudal/base/checks.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+using namespace dealii;
+
+namespace caudal
+{
+  void check_value(const bool is_right, const std::string &path, const double value,
+                   const std::string &remedy)
+  {
+    if (is_right && std::isfinite(value))
+      return;
+    std::ostringstream text;
+    text << std::setprecision(std::numeric_limits<double>::digits10) << path << ": the value is "
+         << value << ". " << remedy;
+    AssertThrow(false, ExcMessage(text.str()));
+  }
+
+  void check_finite(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(true, path, value, remedy);
+  }
+
+  void check_positive(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(value > 0, path, value, remedy);
+  }
+
+  void check_not_negative(const std::string &path, const double value, const std::string &remedy)
+  {
+    check_value(value >= 0, path, value, remedy);
+  }
+
+  void check_between(const std::string &path, const double value, const double lowest,
+                     const double highest, const std::string &remedy)
+  {
+    check_value(lowest <= value && value <= highest, path, value, remedy);
+  }
+} // namespace caudal

@@ -1,0 +1,33 @@
+#include <caudal/coupling/kernel.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  namespace
+  {
+    /** (1 + cos(pi r/2))/4: Peskin, J. Comput. Phys. 25, 1977, doi:10.1016/0021-9991(77)90100-0. */
+    class CosineKernel : public DeltaKernel
+    {
+    public:
+      double value(const double r) const override
+      {
+        return std::abs(r) < 2. ? 0.25 * (1. + std::cos(0.5 * numbers::PI * r)) : 0.;
+      }
+
+      double radius() const override
+      {
+        return 2.;
+      }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return 8;
+      }
+    };
+
+    const Registration<DeltaKernel, CosineKernel> registration("cosine", "(1 + cos(pi r/2))/4");
+  } // namespace
+} // namespace caudal

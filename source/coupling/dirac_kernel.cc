@@ -1,0 +1,33 @@
+#include <caudal/coupling/kernel.h>
+
+#include <limits>
+
+namespace caudal
+{
+  namespace
+  {
+    /** The variational limit of the other kernels. */
+    class DiracKernel : public DeltaKernel
+    {
+    public:
+      double value(const double r) const override
+      {
+        return r == 0. ? std::numeric_limits<double>::infinity() : 0.;
+      }
+
+      double radius() const override
+      {
+        return 0.;
+      }
+
+      unsigned int n_quadrature_points() const override
+      {
+        return 0;
+      }
+    };
+
+    const Registration<DeltaKernel, DiracKernel>
+        registration("dirac", "the variational limit, the finite element field at the body's "
+                              "points");
+  } // namespace
+} // namespace caudal

@@ -1,0 +1,54 @@
+#include <caudal/mesh/shape.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+namespace caudal
+{
+  namespace
+  {
+    /** A circular ring round the origin. */
+    template <int dim>
+    class RingShape : public Shape<dim>
+    {
+    public:
+      void add_parameters(ParameterHandler &prm) override
+      {
+        prm.add_parameter("Wall thickness", wall_thickness, "Outer minus inner radius [m].");
+      }
+
+      bool has_grid() const override
+      {
+        return dim == 2;
+      }
+
+      void check_lengths(const ShapeLengths &lengths, const std::string &path) const override
+      {
+        require_positive(lengths.radius, path, "Radius");
+        require_positive(wall_thickness, path, "Ring/Wall thickness");
+      }
+
+      void check_divisions(const ShapeLengths &, const GridDivisions &divisions,
+                           const std::string &path) const override
+      {
+        require(divisions.elements[0] >= 8, path, "Elements",
+                "there are " + std::to_string(divisions.elements[0]) +
+                    " elements round the ring. Give at least eight.");
+      }
+
+      void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
+                     const std::string &, Triangulation<dim>          &tria) const override
+      {
+        if constexpr (dim == 2)
+          GridGenerator::concentric_hyper_shells(tria, Point<2>(), lengths.radius,
+                                                 lengths.radius + wall_thickness,
+                                                 divisions.elements[1], 0., divisions.elements[0]);
+        assign_regions(tria, divisions.region_boundaries);
+      }
+
+    private:
+      double wall_thickness = 0.05;
+    };
+
+    const DimensionalRegistration<Shape, RingShape> registration("ring", "a circular ring (2D)");
+  } // namespace
+} // namespace caudal

@@ -1,0 +1,169 @@
+#include <caudal/mesh/shape.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace caudal
+{
+  template <int dim>
+  Tensor<1, dim> ShapeLengths::get_sides() const
+  {
+    const double   sides[] = {length, thickness, width};
+    Tensor<1, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = sides[d];
+    return result;
+  }
+
+  template <int dim>
+  void ShapeLengths::check_sides(const std::string &path) const
+  {
+    require_positive(length, path, "Length");
+    require_positive(thickness, path, "Thickness");
+    if (dim == 3)
+      require_positive(width, path, "Width");
+  }
+
+  double GridDivisions::count_elements() const
+  {
+    return std::accumulate(elements.begin(), elements.end(), 1., std::multiplies<double>());
+  }
+
+  std::vector<double> GridDivisions::compute_steps_along() const
+  {
+    const std::vector<double> columns = compute_columns(0., region_boundaries, elements[0]);
+    std::vector<double>       steps;
+    for (unsigned int i = 1; i < columns.size(); ++i)
+      steps.push_back(columns[i] - columns[i - 1]);
+    return steps;
+  }
+
+  template <int dim>
+  ShapeParameters<dim>::ShapeParameters(const std::string &default_type,
+                                        const double       default_length)
+      : type("Type", default_type, "Shape of the body")
+  {
+    lengths.length = default_length;
+  }
+
+  template <int dim>
+  void ShapeParameters<dim>::add_entries(ParameterHandler &prm)
+  {
+    type.add_parameters(prm);
+    prm.add_parameter("Length", lengths.length,
+                      "Length along the axis [m]: chord of naca, length of eel, stations, beam and "
+                      "rectangle, full axis of ellipse, part of the flag that sticks out of the "
+                      "cylinder.",
+                      Patterns::Double());
+    prm.add_parameter("Thickness", lengths.thickness,
+                      "Extent across the axis [m]: height of beam, rectangle and flag, full second "
+                      "axis of ellipse.",
+                      Patterns::Double());
+    prm.add_parameter("Width", lengths.width,
+                      "Extent in the third direction [m] of beam, rectangle and ellipse; 3D only.",
+                      Patterns::Double());
+    prm.add_parameter("Radius", lengths.radius,
+                      "Radius of disc and cylinder, inner radius of ring [m].", Patterns::Double());
+  }
+
+  template <int dim>
+  void ShapeParameters<dim>::check(const std::string &path) const
+  {
+    type.check(path);
+    type.get().check_lengths(lengths, path);
+  }
+
+  template <int dim>
+  std::unique_ptr<StraightBody>
+  ShapeParameters<dim>::make_straight_body(const std::string &path) const
+  {
+    AssertThrow(type.get().has_surface(), ExcMessage(path + "/Type: the shape <" + type.get_name() +
+                                                     "> has no closed surface. Choose one of " +
+                                                     list_shapes<dim>([](const Shape<dim> &shape) {
+                                                       return shape.has_surface();
+                                                     }) +
+                                                     "."));
+    return type.get().make_straight_body(lengths);
+  }
+
+  template <int dim>
+  std::string list_shapes(const std::function<bool(const Shape<dim> &)> &property)
+  {
+    std::string names;
+    for (const auto &[name, member] : Registry<Shape<dim>>::get_members())
+      if (property(*member.create()))
+        names += (names.empty() ? "" : ", ") + name;
+    return names;
+  }
+
+  void require(const bool condition, const std::string &path, const std::string &entry,
+               const std::string &sentences)
+  {
+    AssertThrow(condition, ExcMessage(path + "/" + entry + ": " + sentences));
+  }
+
+  void require_positive(const double value, const std::string &path, const std::string &entry)
+  {
+    std::string name = entry.substr(entry.rfind('/') + 1);
+    name[0]          = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    std::ostringstream sentences;
+    sentences << "the " << name << " is " << value << " m. Give a positive " << name << ".";
+    require(value > 0. && std::isfinite(value), path, entry, sentences.str());
+  }
+
+  unsigned int get_region(const double s, const std::vector<double> &region_boundaries)
+  {
+    return std::upper_bound(region_boundaries.begin(), region_boundaries.end(), s) -
+           region_boundaries.begin();
+  }
+
+  template <int dim>
+  void assign_regions(Triangulation<dim> &tria, const std::vector<double> &region_boundaries)
+  {
+    const BoundingBox<dim> box    = GridTools::compute_bounding_box(tria);
+    const double           begin  = box.lower_bound(0);
+    const double           length = box.side_length(0);
+    for (const auto &cell : tria.active_cell_iterators())
+      cell->set_material_id(get_region((cell->center()[0] - begin) / length, region_boundaries));
+  }
+
+  std::vector<double> compute_columns(const double               first,
+                                      const std::vector<double> &region_boundaries,
+                                      const unsigned int         n_columns)
+  {
+    const unsigned int n_regions = region_boundaries.size() + 1;
+    AssertThrow(n_columns >= n_regions, ExcMessage("Each region needs a column of cells."));
+
+    std::vector<double> columns(1, first);
+    for (unsigned int region = 0; region < n_regions; ++region)
+    {
+      const double begin = columns.back();
+      const double end   = region + 1 < n_regions ? region_boundaries[region] : 1.;
+
+      const unsigned int done = columns.size() - 1;
+      const unsigned int last =
+          std::clamp<long>(std::lround(n_columns * (end - first) / (1. - first)), done + 1,
+                           n_columns - (n_regions - 1 - region));
+      for (unsigned int i = done + 1; i < last; ++i)
+        columns.push_back(begin + (end - begin) * (i - done) / (last - done));
+      columns.push_back(end);
+    }
+    return columns;
+  }
+
+  template Tensor<1, 2> ShapeLengths::get_sides() const;
+  template Tensor<1, 3> ShapeLengths::get_sides() const;
+  template void         ShapeLengths::check_sides<2>(const std::string &) const;
+  template void         ShapeLengths::check_sides<3>(const std::string &) const;
+  template struct ShapeParameters<2>;
+  template struct ShapeParameters<3>;
+  template std::string list_shapes(const std::function<bool(const Shape<2> &)> &);
+  template std::string list_shapes(const std::function<bool(const Shape<3> &)> &);
+  template void        assign_regions(Triangulation<2> &, const std::vector<double> &);
+  template void        assign_regions(Triangulation<3> &, const std::vector<double> &);
+} // namespace caudal

@@ -1,0 +1,208 @@
+#include <caudal/base/compatibility.h>
+#include <caudal/fluid/fluid_snapshot.h>
+#include <caudal/viscous/adaptation.h>
+#include <caudal/viscous/step_parts.h>
+
+namespace caudal
+{
+  namespace
+  {
+    template <int dim>
+    CellSet<dim> make_body_cells(const Operators<dim>         &operators,
+                                 const std::vector<BodyState> &states, const double margin)
+    {
+      CellSet<dim> cells(operators.lattice);
+      const double reach = operators.coupling.get_support() + margin;
+      for (unsigned int b = 0; b < states.size(); ++b)
+      {
+        // Where the body is now and where it will be in a step or two.
+        Vector<double> next(states[b].positions);
+        next *= 2;
+        next -= states[b].old_positions;
+        const SolidBody<dim> &solid = operators.bodies[b]->get_solid();
+        cells.add(solid.compute_cell_boxes(states[b].positions), reach);
+        cells.add(solid.compute_cell_boxes(next), reach);
+      }
+      return cells;
+    }
+
+    /** Flags cells for the fields of @p velocity; returns whether the grid is to be changed. */
+    template <int dim>
+    bool set_flags(Operators<dim> &operators, const FieldVector &velocity,
+                   const CellSet<dim> &body_cells, const double time)
+    {
+      const auto         &parameters    = operators.parameters.refinement;
+      const Vector<float> indicator     = parameters.vorticity_threshold > 0
+                                              ? compute_vorticity_indicator(operators.space, velocity)
+                                              : Vector<float>();
+      auto               &triangulation = operators.triangulation;
+      flag_cells(triangulation, operators.lattice, body_cells, indicator, parameters, time);
+      triangulation.prepare_coarsening_and_refinement();
+      bool changes = false;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        changes = changes || (cell->is_locally_owned() &&
+                              (cell->refine_flag_set() || cell->coarsen_flag_set()));
+      return Utilities::MPI::max<int>(changes, operators.communicator) > 0;
+    }
+
+    template <int dim>
+    void clear_flags(Triangulation<dim> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+      }
+    }
+
+    /** Changes the grid by its flags, and interpolates the state's fields. */
+    template <int dim>
+    void transfer(Operators<dim> &operators, State<dim> &state)
+    {
+      using Transfer              = compatibility::SolutionTransfer<dim, FieldVector>;
+      FluidSpace<dim>      &space = operators.space;
+      Transfer              velocity_transfer(space.velocity_dofs);
+      Transfer              pressure_transfer(space.pressure_dofs);
+      const FluidState<dim> old = state.fluid;
+      old.update_ghost_values();
+      velocity_transfer.prepare_for_coarsening_and_refinement(
+          std::vector<const FieldVector *>{&old.velocity, &old.old_velocity});
+      pressure_transfer.prepare_for_coarsening_and_refinement(old.pressure);
+      operators.triangulation.execute_coarsening_and_refinement();
+
+      space.reinit();
+      state.fluid.reinit(space);
+      std::vector<FieldVector *> velocities = {&state.fluid.velocity, &state.fluid.old_velocity};
+      velocity_transfer.interpolate(velocities);
+      pressure_transfer.interpolate(state.fluid.pressure);
+      const double time = state.time.get_time();
+      space.get_constraints(time - state.time.get_previous_step())
+          .distribute(state.fluid.old_velocity);
+      space.get_constraints(time).distribute(state.fluid.velocity);
+      state.fluid.update_ghost_values();
+    }
+
+    /** Brings the grid into its canonical order, and everything else to the grid. */
+    template <int dim>
+    void renumber(Operators<dim> &operators, FluidState<dim> &fluid)
+    {
+      const FluidSnapshot snapshot =
+          take_snapshot(operators.space, {&fluid.velocity, &fluid.old_velocity}, fluid.pressure);
+      operators.reinit();
+      restore_fields(snapshot, operators.space, {&fluid.velocity, &fluid.old_velocity},
+                     fluid.pressure);
+    }
+
+    /** The closest velocity u + du with B (u + du) = 0: M du + B^T q = 0. */
+    template <int dim>
+    void project(const Operators<dim> &operators, const double step, SolverMemory &memory,
+                 FieldVector &velocity)
+    {
+      const FluidSpace<dim> &space = operators.space;
+      const auto             point = std::make_shared<Linearisation>();
+      point->weights.inertia       = operators.parameters.fluid.density / step;
+      point->weights.augmentation =
+          point->weights.inertia * operators.parameters.domain.size.norm_square();
+      CoupledUnknowns residual{
+          space.make_velocity_vector(), operators.momentum.compute_divergence(velocity), {}};
+      residual.pressure *= -1;
+      if (residual.pressure.linfty_norm() == 0)
+        return;
+      MomentumStep momentum;
+      momentum.weights = point->weights;
+      operators.momentum.assemble(momentum, velocity, space.make_pressure_vector());
+      const double scale =
+          point->weights.inertia * space.get_mean_nodal_volume() * velocity.l2_norm();
+      FieldVector correction =
+          operators.solver.solve(residual, {}, point, scale, memory).correction.velocity;
+      space.get_homogeneous_constraints().distribute(correction);
+      velocity += correction;
+      velocity.update_ghost_values();
+    }
+  } // namespace
+
+  template <int dim>
+  State<dim> make_initial_state(Operators<dim> &operators)
+  {
+    State<dim> state{TimeStepper(operators.parameters.time), {}, {}, {}};
+    for (const auto &body : operators.bodies)
+      state.bodies.push_back(body->make_initial_state());
+    const CellSet<dim> body_cells =
+        make_body_cells(operators, state.bodies, operators.parameters.refinement.body_margin);
+    for (unsigned int pass = 0;; ++pass)
+    {
+      operators.space.reinit();
+      state.fluid.reinit(operators.space);
+      set_initial_velocity(operators.space, state.fluid);
+      if (pass > operators.lattice.get_finest_level() ||
+          !set_flags(operators, state.fluid.velocity, body_cells, 0))
+        break;
+      operators.triangulation.execute_coarsening_and_refinement();
+    }
+    clear_flags(operators.triangulation);
+    renumber(operators, state.fluid);
+
+    for (unsigned int b = 0; b < state.bodies.size(); ++b)
+    {
+      const auto interaction =
+          operators.compute_interaction(b, state.bodies[b].positions, state.time.get_time());
+      state.bodies[b].velocity = state.bodies[b].old_velocity =
+          follow_fluid(*operators.bodies[b], interaction, state.fluid.velocity);
+    }
+    return state;
+  }
+
+  template <int dim>
+  bool adaptation_is_needed(const Operators<dim> &operators, const State<dim> &state)
+  {
+    // Half a cell more than the kernel's support, for what the prediction misses.
+    return !make_body_cells(operators, state.bodies, 0.5).is_covered_by(operators.triangulation);
+  }
+
+  template <int dim>
+  AdaptationReport adapt(Operators<dim> &operators, State<dim> &state)
+  {
+    AdaptationReport report;
+    const auto       before = summarise_flow(operators.space, state.fluid.velocity);
+    {
+      TimerOutput::Scope timer_section(operators.timer, "adapt grid");
+      const CellSet<dim> body_cells =
+          make_body_cells(operators, state.bodies, operators.parameters.refinement.body_margin);
+      // A pass refines by one level; a body may have come to where two are missing.
+      for (unsigned int pass = 0; pass <= operators.lattice.get_finest_level(); ++pass)
+      {
+        if ((pass > 0 && body_cells.is_covered_by(operators.triangulation)) ||
+            !set_flags(operators, state.fluid.velocity, body_cells, state.time.get_time()))
+          break;
+        transfer(operators, state);
+        report.changed = true;
+      }
+      clear_flags(operators.triangulation);
+      report.n_cells = operators.triangulation.n_global_active_cells();
+      if (!report.changed)
+        return report;
+      renumber(operators, state.fluid);
+    }
+    state.solver.linearisation.reset();
+    for (FieldVector *velocity : {&state.fluid.velocity, &state.fluid.old_velocity})
+      project(operators, state.time.get_step(), state.solver, *velocity);
+    state.solver.linearisation.reset();
+
+    const auto after             = summarise_flow(operators.space, state.fluid.velocity);
+    report.kinetic_energy_change = after.kinetic_energy - before.kinetic_energy;
+    double mass                  = operators.parameters.fluid.density;
+    for (unsigned int d = 0; d < dim; ++d)
+      mass *= operators.parameters.domain.size[d];
+    report.momentum_change = (after.momentum - before.momentum).norm() /
+                             std::max(mass * before.largest_velocity, 1e-300);
+    return report;
+  }
+
+#define INSTANTIATE(dim)                                                                           \
+  template State<dim>       make_initial_state(Operators<dim> &);                                  \
+  template bool             adaptation_is_needed(const Operators<dim> &, const State<dim> &);      \
+  template AdaptationReport adapt(Operators<dim> &, State<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace caudal

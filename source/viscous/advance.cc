@@ -1,0 +1,49 @@
+#include <caudal/viscous/advance.h>
+
+#include <deal.II/lac/solver_control.h>
+
+namespace caudal
+{
+  namespace
+  {
+    std::string get_sentence(const ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      return Utilities::trim(text.str());
+    }
+  } // namespace
+
+  template <int dim>
+  Step<dim> advance(const Operators<dim> &operators, const State<dim> &state, const double dt)
+  {
+    const auto scheme =
+        Registry<TimeScheme<dim>>::get_members().at(operators.parameters.time.scheme).create();
+    Step<dim> step{{state.time, {}, {}, state.solver}, {}};
+    try
+    {
+      scheme->advance(operators, state, dt, step);
+    }
+    catch (const SolverControl::NoConvergence &exception)
+    {
+      throw StepFailure(StepFailure::Kind::no_convergence,
+                        "The linear solver did not converge (residual " +
+                            std::to_string(exception.last_residual) +
+                            "; Solver/Largest number of iterations).",
+                        step.state.bodies);
+    }
+    catch (const ExcInvertedElement &exception)
+    {
+      throw StepFailure(StepFailure::Kind::inverted_element, get_sentence(exception),
+                        step.state.bodies);
+    }
+    catch (const ExcNotFinite &exception)
+    {
+      throw StepFailure(StepFailure::Kind::not_finite, get_sentence(exception), step.state.bodies);
+    }
+    return step;
+  }
+
+  template Step<2> advance(const Operators<2> &, const State<2> &, double);
+  template Step<3> advance(const Operators<3> &, const State<3> &, double);
+} // namespace caudal

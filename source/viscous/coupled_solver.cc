@@ -1,0 +1,239 @@
+#include <caudal/base/compatibility.h>
+#include <caudal/linear/conjugate_residuals.h>
+#include <caudal/viscous/coupled_solver.h>
+
+#include <deal.II/lac/solver_control.h>
+
+#include <cmath>
+
+namespace caudal
+{
+  namespace
+  {
+    /**
+     * Time of a factorisation for each of its operations over that of an iteration for an entry of
+     * the factors: 0.036 to 0.05 in systems with 2e6 to 3e7 entries (OpenBLAS, one core). It is
+     * a constant since decisions by measured times would differ from run to run.
+     */
+    constexpr double relative_speed = 0.04;
+
+    /**
+     * A body's velocities would take their pivots from the balance of its forces, that is from the
+     * stiffness. It is singular for rigid motions, and nearly so for slow bending: on fine grids
+     * that costs the digits that the iterations then have to recover. At one node in so many, but
+     * at a few of any body, velocity and force density are therefore eliminated together, which
+     * offers pivots in the mass. At all nodes it would take up to twice the time.
+     */
+    constexpr unsigned int nodes_per_anchor = 64;
+
+    // An old factorisation that was not worth it is tried again after this many steps at most.
+    constexpr unsigned int longest_pause = 64;
+
+    template <int dim>
+    class AugmentedLagrangianPreconditioner
+    {
+    public:
+      AugmentedLagrangianPreconditioner(const MomentumOperator<dim> &momentum,
+                                        const MultifrontalSolver    &direct_solver,
+                                        const MomentumWeights       &weights)
+          : momentum(momentum)
+          , direct_solver(direct_solver)
+          , factor(-weights.augmentation / weights.inertia)
+      {}
+
+      void vmult(BlockFieldVector &result, const BlockFieldVector &source) const
+      {
+        FieldVector pressure(source.block(1));
+        momentum.apply_inverse_pressure_mass(pressure);
+        pressure *= factor;
+
+        BlockFieldVector rest(source.n_blocks() - 1);
+        rest.block(0) = source.block(0);
+        if (source.n_blocks() == 3)
+          rest.block(1) = source.block(2);
+        rest.collect_sizes();
+        FieldVector gradient;
+        gradient.reinit(rest.block(0));
+        momentum.get_divergence_matrix().Tvmult(gradient, pressure);
+        rest.block(0) -= gradient;
+        direct_solver.solve(rest);
+
+        result.block(0) = rest.block(0);
+        result.block(1) = pressure;
+        if (source.n_blocks() == 3)
+          result.block(2) = rest.block(1);
+      }
+
+    private:
+      const MomentumOperator<dim> &momentum;
+      const MultifrontalSolver    &direct_solver;
+      const double                 factor;
+    };
+
+    /**
+     * For each of this rank's velocity unknowns the centre, in the direction in which the cells
+     * extend most, of the last cell that has it: between two positions lies a face.
+     */
+    template <int dim>
+    std::vector<double> get_positions(const DoFHandler<dim> &dofs)
+    {
+      double          count = 0;
+      Tensor<1, dim>  sum, sum_of_squares;
+      const IndexSet &owned = dofs.locally_owned_dofs();
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          count += 1;
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            sum[d] += cell->center()[d];
+            sum_of_squares[d] += cell->center()[d] * cell->center()[d];
+          }
+        }
+      const MPI_Comm communicator = compatibility::get_communicator(dofs);
+      count                       = Utilities::MPI::sum(count, communicator);
+      sum                         = Utilities::MPI::sum(sum, communicator) / count;
+      sum_of_squares              = Utilities::MPI::sum(sum_of_squares, communicator) / count;
+      unsigned int axis           = 0;
+      for (unsigned int d = 1; d < dim; ++d)
+        if (sum_of_squares[d] - sum[d] * sum[d] > sum_of_squares[axis] - sum[axis] * sum[axis])
+          axis = d;
+
+      std::vector<double>                  positions(owned.n_elements(), -1e300);
+      std::vector<types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(cell_dofs);
+          for (const auto dof : cell_dofs)
+            if (owned.is_element(dof))
+            {
+              double &position = positions[owned.index_within_set(dof)];
+              position         = std::max(position, cell->center()[axis]);
+            }
+        }
+      return positions;
+    }
+  } // namespace
+
+  template <int dim>
+  CoupledSolver<dim>::CoupledSolver(const SolverParameters      &parameters,
+                                    const FluidSpace<dim>       &space,
+                                    const MomentumOperator<dim> &momentum, TimerOutput &timer)
+      : parameters(parameters)
+      , space(space)
+      , momentum(momentum)
+      , timer(timer)
+      , direct_solver(space.get_communicator())
+  {}
+
+  template <int dim>
+  void CoupledSolver<dim>::reinit()
+  {
+    direct_solver.set_positions(get_positions(space.velocity_dofs));
+    factorised_point.reset();
+  }
+
+  template <int dim>
+  unsigned int CoupledSolver<dim>::count_affordable_iterations(const SolverMemory &memory) const
+  {
+    return memory.exact_iterations +
+           static_cast<unsigned int>(relative_speed * direct_solver.get_factorisation_cost());
+  }
+
+  template <int dim>
+  bool CoupledSolver<dim>::should_factorise(const SolverMemory &memory,
+                                            const bool          matrix_changed) const
+  {
+    return memory.linearisation == nullptr ||
+           (matrix_changed && (parameters.reuse == "never" || memory.steps_until_reuse > 0));
+  }
+
+  template <int dim>
+  void CoupledSolver<dim>::factorise(const CoupledEquations<dim>                &equations,
+                                     const std::shared_ptr<const Linearisation> &point) const
+  {
+    TimerOutput::Scope timer_section(timer, "factorisation");
+    factorised_point.reset(); // should it fail
+    const MatrixParts matrix = equations.collect_matrix();
+    // Where nodes of bodies are close to each other, more of them have to be anchors.
+    if (!direct_solver.factorize(equations.get_group_begins(nodes_per_anchor), matrix) &&
+        !direct_solver.factorize(equations.get_group_begins(1), matrix))
+    {
+      direct_solver.factorize_with_pivoting(equations.get_group_begins(1).back(), matrix);
+      ++n_pivoting_factorisations;
+    }
+    factorised_point = point;
+    ++n_factorisations;
+  }
+
+  template <int dim>
+  void CoupledSolver<dim>::recall(const std::vector<BodyEquations<dim>>      &bodies,
+                                  const std::shared_ptr<const Linearisation> &point) const
+  {
+    factorise(CoupledEquations<dim>(space, momentum, bodies, point->weights), point);
+  }
+
+  namespace
+  {
+    /** Draws on an attempt to reuse a factorisation: after a failed one the next comes later. */
+    void update_reuse_policy(SolverMemory &memory, const bool succeeded)
+    {
+      memory.reuse_pause       = succeeded ? 1 : std::min(2 * memory.reuse_pause, longest_pause);
+      memory.steps_until_reuse = succeeded ? 0 : memory.reuse_pause;
+    }
+  } // namespace
+
+  template <int dim>
+  typename CoupledSolver<dim>::Solution
+  CoupledSolver<dim>::solve(const CoupledUnknowns                      &residual,
+                            const std::vector<BodyEquations<dim>>      &bodies,
+                            const std::shared_ptr<const Linearisation> &point, const double scale,
+                            SolverMemory &memory) const
+  {
+    Assert(!has_forgotten(memory), ExcInternalError());
+    const CoupledEquations<dim> equations(space, momentum, bodies, point->weights);
+    const BlockFieldVector      rhs       = equations.make_right_hand_side(residual);
+    const double                reference = std::max(scale, rhs.l2_norm());
+    AssertThrow(std::isfinite(reference), ExcNotFinite("The forces on the fluid are"));
+    BlockFieldVector solution;
+    solution.reinit(rhs);
+    const auto iterate = [&](const unsigned int n_most) {
+      TimerOutput::Scope timer_section(timer, "iterations");
+      return solve_by_conjugate_residuals(
+          equations, solution, rhs,
+          AugmentedLagrangianPreconditioner<dim>(momentum, direct_solver, point->weights),
+          parameters.tolerance * reference, n_most);
+    };
+
+    const unsigned int n_possible = parameters.largest_number_of_iterations;
+    const bool         matrix_changed =
+        !memory.linearisation || !memory.linearisation->has_same_matrix(*point);
+    const bool      reuses = !should_factorise(memory, matrix_changed);
+    IterationResult result;
+    if (reuses)
+    {
+      result = iterate(matrix_changed ? count_affordable_iterations(memory) : n_possible);
+      if (matrix_changed)
+        update_reuse_policy(memory, result.converged);
+    }
+    if (!result.converged)
+    {
+      factorise(equations, point);
+      memory.linearisation    = point;
+      result                  = iterate(n_possible);
+      memory.exact_iterations = result.converged ? result.n_iterations : n_possible + 1;
+      if (!reuses && memory.steps_until_reuse > 0)
+        --memory.steps_until_reuse;
+    }
+    if (!result.converged)
+      throw SolverControl::NoConvergence(n_possible + 1, result.residual);
+    // What no step will reuse need not be remembered.
+    if (point->has_transport() && (parameters.reuse == "never" || memory.steps_until_reuse > 0))
+      memory.linearisation.reset();
+    return {equations.extract_correction(solution), result.n_iterations};
+  }
+
+  template class CoupledSolver<2>;
+  template class CoupledSolver<3>;
+} // namespace caudal

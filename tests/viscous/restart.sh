@@ -1,0 +1,47 @@
+# A run that is stopped by a signal, whenever, and resumed, again and again, is bit by bit the run
+# that nobody disturbed, which writes no checkpoint before its end: on one rank and on two, with
+# factorisations that are reused and a grid that changes.
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
+
+cat >swim.prm <<END
+include $CAUDAL_SOURCE_DIR/tests/viscous/fish.prm
+subsection Time
+  set End time = 0.2
+end
+subsection Output
+  subsection Figures
+    set Print =
+  end
+end
+END
+
+# disturb RANKS: runs, stops and resumes until the end. A run that was stopped ends with 2.
+disturb() {
+  n_stops=0
+  set -- mpirun -np "$1" "$CAUDAL"
+  : >printed
+  "$@" swim.prm >printed 2>errors &
+  while :; do
+    # The program speaks once it listens to signals.
+    while [ ! -s printed ] && kill -0 $! 2>/dev/null; do sleep 0.05; done
+    sleep "0.$(($$ * (n_stops + 3) % 7 + 3))"
+    kill -USR1 $! 2>/dev/null
+    wait $!
+    code=$?
+    [ $code -eq 2 ] || break
+    n_stops=$((n_stops + 1))
+    : >printed
+    "$@" --resume results >printed 2>errors &
+  done
+  [ $code -eq 0 ] || cat errors
+  echo "exit code $code, stopped on the way: $([ $n_stops -gt 0 ] && echo yes || echo no)"
+}
+
+for ranks in 1 2; do
+  mpirun -np $ranks "$CAUDAL" swim.prm -D "Output/Folder=whole" -D "Checkpoint/Interval of wall time=1e9" \
+    >printed 2>errors || cat errors
+  disturb $ranks
+  for file in statistics.txt solution.pvd; do
+    cmp whole/$file results/$file && echo "$ranks rank(s), $file: the same bytes"
+  done
+done
