@@ -131,14 +131,18 @@ namespace caudal
       return Utilities::split_string_list(path, '/').size();
     }
 
-    /** Whether something within the section @p path was renamed. */
+    /**
+     * Whether something within the section @p sections was renamed. A section of a body, whose
+     * name is the user's, is not one of a former version.
+     */
     bool holds_former_names(const std::vector<std::string> &sections, const RenamedEntry &renamed)
     {
       std::vector<std::string> outer = Utilities::split_string_list(renamed.old_path, '/');
       if (outer.size() <= sections.size())
         return false;
       outer.resize(sections.size());
-      return std::regex_match(join(sections, "/"), make_pattern(join(outer, "/")));
+      return outer.back().find('*') == std::string::npos &&
+             std::regex_match(join(sections, "/"), make_pattern(join(outer, "/")));
     }
 
     /** The declared section of that path, or nullptr. */

@@ -13,7 +13,7 @@ same "headers" "$(cd prefix/include/caudal && find . -name '*.h' | sort)" \
   "$(cd "$CAUDAL_SOURCE_DIR/include/caudal" && find . -name '*.h' | sort)"
 same "cases" "$(cd prefix/share/caudal/prm && find . -type f | sort)" \
   "$(cd "$CAUDAL_SOURCE_DIR/prm" && find . -type f | sort)"
-ldd prefix/bin/caudal | grep -c "libcaudal.*=> $PWD/prefix/lib"
+ldd prefix/bin/caudal | grep -c "libcaudal.*=> $PWD/prefix/"
 ls prefix/share/caudal/scripts
 
 scripts=$PWD/prefix/share/caudal/scripts
