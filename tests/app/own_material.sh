@@ -21,8 +21,9 @@ bend() {
     {
       x  = 0.05 + 0.95 * (i + 0.5) / n
       mu = 1e5 + (tip - 1e5) * x
-      w += 0.95 / n * (1 - x) * 1000 * 0.02 * h * (1 - x)^2 / 2 /
-           (4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12)
+      moment    = 1000 * 0.02 * h * (1 - x)^2 / 2
+      stiffness = 4 * mu * (kappa + mu) / (kappa + 2 * mu) * h^3 / 12
+      w += 0.95 / n * (1 - x) * moment / stiffness
     }
     printf "tip %.1f mm, over the theory %.2f\n", 1e3 * sunk, -sunk / w }'
 }

@@ -86,11 +86,11 @@ verify() {
     tail -n 1 printed | grep -o "equal, bit by bit" | sed 's/$/, on two ranks/' || cat errors
   rm -rf results.verify
 }
-verify "only fluid" fluid.prm
-verify "only fluid, explicit" fluid.prm -D Time/Scheme=explicit
-verify "an elastic disc in a flow" disc.prm
-verify "the fish" fish.prm
-verify "a school" school.prm
+verify "only fluid" fluid.prm -D "Time/End time=10"
+verify "only fluid, explicit" fluid.prm -D Time/Scheme=explicit -D "Time/End time=10"
+verify "an elastic disc in a flow" disc.prm -D "Time/End time=10"
+verify "the fish" fish.prm -D "Time/End time=10"
+verify "a school" school.prm -D "Time/End time=10"
 
-verify "the salmon" salmon.prm -D "Body/Linear impulse=0, 0, 0" -D "Integration/Torques=true"
-verify "the salmon, brute force" salmon.prm -D "Integration/Method=brute force" -D "Resistance/Active=true"
+verify "the salmon" salmon.prm -D "Time/End time=1.2" -D "Body/Linear impulse=0, 0, 0" -D "Integration/Torques=true"
+verify "the salmon, brute force" salmon.prm -D "Time/End time=1.2" -D "Integration/Method=brute force" -D "Resistance/Active=true"
