@@ -11,6 +11,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -193,7 +194,10 @@ namespace caudal
           number << std::setprecision(17) << '(' << check(statistic(table.times, values)) << ')';
           text.replace(at, end - at, number.str());
         }
-      return check(parse(text)->value(Point<3>()));
+      const double none     = std::numeric_limits<double>::quiet_NaN();
+      const auto   function = parse(text);
+      function->set_time(none);
+      return check(function->value(Point<3>(none, none, none)));
     }
 
     std::vector<Table> read_tables(const std::string &folder, const double start)
