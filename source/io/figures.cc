@@ -183,8 +183,13 @@ namespace caudal
     /** The value of an expression in which functions make numbers of columns. */
     double evaluate(const std::string &expression, const Table &table)
     {
-      const auto  check = [&](const double value) { return value; };
-      std::string text  = expression;
+      const auto check = [&](const double value) {
+        AssertThrow(std::isfinite(value), ExcMessage(entry + ": <" + expression +
+                                                     "> is not a finite number. Columns and "
+                                                     "t stand within a function."));
+        return value;
+      };
+      std::string text = expression;
       for (const auto &[name, statistic] : statistics)
         for (std::size_t at; (at = text.find(name + "(")) != std::string::npos;)
         {
