@@ -71,30 +71,74 @@ namespace caudal
           1u, *std::min_element(divisions.elements.begin() + 1, divisions.elements.end()) / 5);
     }
 
-    /** From the cube [-1,1]^dim's surface to the unit sphere, grid lines at equal angles. */
+    /**
+     * Where the point @p q of the square [-1,1]^(dim-1) of a section is in the unit disc (2D: the
+     * interval); @p roundness 1 takes the square's edge to the circle, 0 keeps it straight.
+     */
     template <int dim>
-    Point<dim> project_to_sphere(const Point<dim> &p)
+    Point<dim> place_in_section(const Point<dim> &q, const double roundness)
     {
+      double         largest = 0., squares = 0.;
       Tensor<1, dim> direction;
-      for (unsigned int d = 0; d < dim; ++d)
-        direction[d] = std::tan(0.25 * numbers::PI * p[d]);
-      return Point<dim>(direction / direction.norm());
+      for (unsigned int d = 1; d < dim; ++d)
+        largest = std::max(largest, std::abs(q[d]));
+      if (largest == 0.)
+        return Point<dim>();
+      for (unsigned int d = 1; d < dim; ++d)
+      {
+        // Grid lines at equal angles
+        direction[d] = std::tan(0.25 * numbers::PI * q[d] / largest);
+        squares += direction[d] * direction[d];
+      }
+      Point<dim> place;
+      for (unsigned int d = 1; d < dim; ++d)
+        place[d] = (1. - roundness) * q[d] / std::sqrt(dim - 1.) +
+                   roundness * largest * direction[d] / std::sqrt(squares);
+      return place;
     }
 
-    /** Where the core of a cubed ball has the point @p p of the cube [-size,size]^dim. */
+    /** The point of the unit ball at @p x along the axis and @p section times the radius there. */
     template <int dim>
-    Point<dim> place_in_core(const Point<dim> &p, const double size)
+    Point<dim> place_in_ball(const double x, const Point<dim> &section)
     {
-      // Half-way between a cube and a ball: the core's edges stay well below 180 degrees.
-      double largest = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        largest = std::max(largest, std::abs(p[d]));
-      if (largest == 0.)
-        return p;
-      const Point<dim> on_surface(p / largest);
-      return Point<dim>(largest * size *
-                        (0.5 / std::sqrt(dim) * on_surface + 0.5 * project_to_sphere(on_surface)));
+      Point<dim> place(std::sqrt(1. - x * x) * section);
+      place[0] = x;
+      return place;
     }
+
+    /** Where the cubed ball has the points of the cube that its core is made from. */
+    template <int dim>
+    struct CubedBall
+    {
+      CubedBall(const std::vector<unsigned int> &core, const unsigned int n_layers)
+          : core_share(1. - 2. * n_layers / (core[1] + 2. * n_layers))
+          , end(1. / (core[0] + 2.))
+      {}
+
+      Point<dim> place_core(const Point<dim> &p) const
+      {
+        return place_in_ball((1. - 2. * end) * p[0],
+                             Point<dim>(core_share * place_in_section(p, 0.5)));
+      }
+
+      /** For a point of the cube's surface that of the sphere. */
+      Point<dim> place_on_sphere(const Point<dim> &p) const
+      {
+        double largest = 0.;
+        for (unsigned int d = 1; d < dim; ++d)
+          largest = std::max(largest, std::abs(p[d]));
+        const Point<dim> section = place_in_section(p, 1.);
+        const double     x       = (1. - end) * p[0];
+        if (largest > 1. - 1e-9)
+          return place_in_ball(x, section);
+        Point<dim> place(std::sqrt(1. - x * x) * section); // on a round end
+        place[0] = std::copysign(std::sqrt(1. - place.square()), p[0]);
+        return place;
+      }
+
+      const double core_share; // of a section's width
+      const double end;        // the length of a round end on the surface, half that of the core's
+    };
   } // namespace
 
   template <int dim>
@@ -107,11 +151,11 @@ namespace caudal
       corner[d] = 1.;
     GridGenerator::subdivided_hyper_rectangle(cube, core, Point<dim>(-corner), corner);
 
-    const double               core_size = 1. - 2. * n_layers / (core[1] + 2. * n_layers);
+    const CubedBall<dim>       ball(core, n_layers);
     std::vector<Point<dim>>    vertices;
     std::vector<CellData<dim>> cells;
     for (const Point<dim> &p : cube.get_vertices())
-      vertices.push_back(place_in_core(p, core_size));
+      vertices.push_back(ball.place_core(p));
     // The vertices of the layer k beyond the surface's vertex v.
     std::map<unsigned int, unsigned int> first;
     const auto get_vertex = [&](const unsigned int v, const unsigned int k) {
@@ -119,10 +163,12 @@ namespace caudal
         return v;
       const auto [entry, is_new] = first.insert({v, vertices.size()});
       if (is_new)
+      {
+        const Point<dim>     inner = vertices[v];
+        const Tensor<1, dim> way   = ball.place_on_sphere(cube.get_vertices()[v]) - inner;
         for (unsigned int layer = 1; layer <= n_layers; ++layer)
-          vertices.push_back(vertices[v] +
-                             static_cast<double>(layer) / n_layers *
-                                 (project_to_sphere(cube.get_vertices()[v]) - vertices[v]));
+          vertices.push_back(inner + static_cast<double>(layer) / n_layers * way);
+      }
       return entry->second + k - 1;
     };
     for (const auto &cell : cube.active_cell_iterators())

@@ -24,6 +24,8 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <map>
 
 using namespace caudal;
 using namespace dealii;
@@ -301,14 +303,20 @@ namespace
     }
   };
 
+  /** Where a rank's part of so many things begins. */
+  std::size_t begin_part(const std::size_t n_things, const unsigned int rank)
+  {
+    const std::size_t n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    return rank == n_ranks ? n_things : n_things / 2 * rank / n_ranks * 2;
+  }
+
   /** This rank's part of what all ranks have. */
   template <typename T>
   std::vector<T> take_part(const std::vector<T> &all)
   {
-    const std::size_t n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const std::size_t rank = Utilities::MPI::this_mpi_process(communicator), n = all.size() / 2;
-    return {all.begin() + 2 * (n * rank / n_ranks),
-            rank + 1 == n_ranks ? all.end() : all.begin() + 2 * (n * (rank + 1) / n_ranks)};
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    return {all.begin() + begin_part(all.size(), rank),
+            all.begin() + begin_part(all.size(), rank + 1)};
   }
 
   double get_memory()
@@ -362,7 +370,7 @@ namespace
     // Unknowns of the fluid are divided among the ranks, rank 0 has those of the body.
     const auto own = take_part(model.positions);
     IndexSet   placed(n_placed), others(n - n_placed);
-    const auto begin = Utilities::MPI::partial_and_total_sum(own.size(), communicator).first;
+    const auto begin = begin_part(n_placed, Utilities::MPI::this_mpi_process(communicator));
     placed.add_range(begin, begin + own.size());
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       others.add_range(0, n - n_placed);

@@ -59,7 +59,9 @@ namespace caudal
 
   /**
    * The unit disc or ball as an image of a cube: a core of @p core elements in each direction,
-   * from whose faces @p n_layers layers of elements reach to the circle or sphere.
+   * from whose faces @p n_layers layers of elements reach to the circle or sphere. Its columns
+   * along the first axis are normal to it, but for the layers at the two ends, so that it can be
+   * stretched to a slender body.
    */
   template <int dim>
   void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
