@@ -11,6 +11,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -180,18 +181,28 @@ namespace caudal
     }
 
     /** The value of an expression in which functions make numbers of columns. */
-    double evaluate(std::string text, const Table &table)
+    double evaluate(const std::string &expression, const Table &table)
     {
+      const auto check = [&](const double value) {
+        AssertThrow(std::isfinite(value), ExcMessage(entry + ": <" + expression +
+                                                     "> is not a finite number. Columns and "
+                                                     "t stand within a function."));
+        return value;
+      };
+      std::string text = expression;
       for (const auto &[name, statistic] : statistics)
         for (std::size_t at; (at = text.find(name + "(")) != std::string::npos;)
         {
           const std::size_t  open = at + name.size(), end = find_end(text, open);
           const Values       values = evaluate_rows(text.substr(open, end - open), table);
           std::ostringstream number;
-          number << std::setprecision(17) << '(' << statistic(table.times, values) << ')';
+          number << std::setprecision(17) << '(' << check(statistic(table.times, values)) << ')';
           text.replace(at, end - at, number.str());
         }
-      return parse(text)->value(Point<3>());
+      const double none     = std::numeric_limits<double>::quiet_NaN();
+      const auto   function = parse(text);
+      function->set_time(none);
+      return check(function->value(Point<3>(none, none, none)));
     }
 
     std::vector<Table> read_tables(const std::string &folder, const double start)
@@ -226,10 +237,8 @@ namespace caudal
               "figures of a run that has ended, too."));
       for (const Table *table : suitable)
       {
-        const double value = evaluate(expression, *table);
-        AssertThrow(std::isfinite(value),
-                    ExcMessage(entry + ": <" + expression + "> is not a finite number."));
-        const bool is_zero = std::abs(value) < 0.5 * std::pow(0.1, n_decimals);
+        const double value   = evaluate(expression, *table);
+        const bool   is_zero = std::abs(value) < 0.5 * std::pow(0.1, n_decimals);
         std::cout << (suitable.size() > 1 ? table->file + ": " : "") << expression << " = "
                   << std::fixed << std::setprecision(n_decimals) << (is_zero ? 0. : value)
                   << std::defaultfloat << std::endl;

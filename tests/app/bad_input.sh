@@ -139,7 +139,8 @@ mpirun -np 3 "$CAUDAL" good.prm -D "Domain/Cells=2,1" -D "Domain/Levels=5" 2>&1 
 "$CAUDAL" good.prm -D "Output/Folder=run" >printed
 figure() {
   echo "* the figure $1"
-  "$CAUDAL" --resume run -D "Output/Figures/Print=$1" 2>&1 | sed 's/^/    /'
+  "$CAUDAL" --resume run -D "Output/Figures/Print=$1" 2>errors | sed 's/^/    /'
+  sed -n '/^Error/,$ s/^/    /p' errors
 }
 figure "last([fish: z of point 1])"
 figure "last([time]) + foo"

@@ -191,7 +191,7 @@ namespace
     for (unsigned int i = 0; i < direction.size(); ++i)
       direction[i] = std::sin(1 + i);
     response.stiffness.vmult(tangent, direction);
-    const double step = 1e-5;
+    const double step = 3e-6;
     for (const int sign : {1, -1})
     {
       Vector<double> y(x);

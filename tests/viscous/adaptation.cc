@@ -69,7 +69,7 @@ namespace
                   << '\n';
     }
 
-    // The number of cells is bounded also after they have become too many.
+    // The number of cells is bounded, nearly, also after they have become too many.
     parameters.refinement.vorticity_threshold = 0.2;
     adapt(operators, state);
     const unsigned int n_most = 2 * operators.triangulation.n_global_active_cells() / 3;
