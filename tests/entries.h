@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Sets entries of a parameter file in tests.
 #ifndef caudal_tests_entries_h
 #define caudal_tests_entries_h

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Functions for the tests that are shell scripts.
 
 # caudal ARGUMENTS: runs the program and, only if it fails, shows what it said.

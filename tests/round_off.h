@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_tests_round_off_h
 #define caudal_tests_round_off_h
 

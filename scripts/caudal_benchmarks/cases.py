@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The benchmarks: how each is run, its figures and gates. References: Schaefer and Turek 1996
 (doi:10.1007/978-3-322-89849-4_39), Turek and Hron 2006 (doi:10.1007/3-540-34596-5_15), Turek et
 al. 2010 (doi:10.1007/978-3-642-14206-2_15), and what the opening comments of the .prm name."""

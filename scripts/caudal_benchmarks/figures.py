@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures that benchmarks ask for, each with its reference and its gate."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """scripts/benchmark [NAME...]: runs benchmarks and prints their figures beside the references."""
 
 import argparse

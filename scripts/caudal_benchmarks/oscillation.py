@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a signal does in the end: steady, periodic, or neither."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table on the screen and as Markdown, and the plots."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """scripts/benchmark speed: what a step costs, and where the time goes.
 
 CPU seconds are those of the program's processes (user and system), read while the run goes on,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How FSI3 depends on grid, step and kernel."""
 
 from caudal_plots import style

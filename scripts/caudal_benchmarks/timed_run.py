@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A run of caudal whose processor time is read while it goes on."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line of scripts/paraview: what a view has to know of a run."""
 
 import argparse

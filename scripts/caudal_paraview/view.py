@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Opens the results of a run of Caudal in ParaView; written by scripts/paraview.
 
 paraview --script=view.py shows them; pvpython view.py picture.png draws a picture instead, of the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of Caudal's results, from statistics.txt and the VTU files."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A VTU file as numpy arrays: points, triangles and point data."""
 
 import dataclasses

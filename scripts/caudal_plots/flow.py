@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures from the fields: vorticity, pressure, velocity, shapes of the bodies."""
 
 import dataclasses

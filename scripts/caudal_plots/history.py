@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures from statistics.txt: quantities over time."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line: which figures there are, and what happens if one can't be made."""
 
 import argparse

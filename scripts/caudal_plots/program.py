@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The program that scripts run, and the environment in which it uses one core for each rank."""
 
 import os

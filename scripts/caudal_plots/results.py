@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a run has written: its statistics by column name, its fields by time."""
 
 import functools

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Charts as SVG: drag over a span of x to zoom, double click to see all, hover to read values.
 // Charts of one group are zoomed together. No libraries, no network.
 "use strict";

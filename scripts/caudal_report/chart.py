@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The data of a chart that chart.js draws."""
 
 import numpy as np

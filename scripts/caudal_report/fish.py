@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a run of the immersed swimmer."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Animations: the vorticity of the wake with the bodies, and the swimming surface."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Draws the charts, runs the animations and tells in data attributes of the page what was done.
 "use strict";
 const errors = [];

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The page: sections, tables, charts and pictures as HTML with everything embedded."""
 
 import base64

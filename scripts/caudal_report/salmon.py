@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a run of the swimmer in an ideal fluid."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """swim.json and statistics as tables for the report."""
 
 import json

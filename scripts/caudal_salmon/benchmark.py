@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the swim of 20 s at three frequencies costs, beside the paper's hour for one."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Mesh independence: the same swim on finer and finer surfaces."""
 
 import numpy as np

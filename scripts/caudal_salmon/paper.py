@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the paper prints: W. Yao, X. Li, S. Du and Z. Zhan, Hydraulic Project Development and
 Corresponding Ecological Factor Analysis."""
 

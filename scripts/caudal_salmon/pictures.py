@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of the swimming surface, from above."""
 
 import pathlib

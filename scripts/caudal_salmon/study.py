@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's study: both shapes at all frequencies, the table and the figures."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A sweep over one entry of a case: runs side by side, a table and a plot."""
 
 import concurrent.futures

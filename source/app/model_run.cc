@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/app/model_run.h>
 #include <caudal/app/resume.h>
 #include <caudal/base/archive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // property_tree's parser relies on them, noisily
 
 #include <caudal/base/declared_parameters.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/plugin.h>
@@ -339,7 +340,7 @@ namespace caudal
           section == nullptr ? nullptr : section->find_entry(assignment.entry);
       if (entry == nullptr || entry->value == entry->default_value)
         continue;
-      // Of one of the sections around the entry, another one is chosen.
+      // Around the entry stands a section in whose place another one is chosen.
       for (std::size_t depth = 0; depth < assignment.sections.size(); ++depth)
       {
         const Sections outer(assignment.sections.begin(), assignment.sections.begin() + depth);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/plugin.h>
 

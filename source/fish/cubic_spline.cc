@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fish/cubic_spline.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

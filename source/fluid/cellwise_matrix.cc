@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/compatibility.h>
 #include <caudal/fluid/cellwise_matrix.h>
 
@@ -75,7 +76,7 @@ namespace caudal
     diagonals[cell] = 0;
     for (unsigned int i = 0; i < matrix.m(); ++i)
     {
-      // Of the order of the other diagonal entries.
+      // The mean of the other diagonal entries has the right order of magnitude.
       diagonals[cell] += std::abs(matrix(i, i)) / matrix.m();
       for (const auto &[row, row_weight] : resolutions[cell][i])
         for (unsigned int j = 0; j < matrix.n(); ++j)

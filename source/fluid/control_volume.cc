@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fluid/control_volume.h>
 #include <caudal/fluid/face_flow.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fluid/external_power.h>
 #include <caudal/fluid/face_flow.h>
 
@@ -24,7 +25,7 @@ namespace caudal
           , pressures(space.pressure_element, quadrature, update_values)
       {}
 
-      /** Of face @p f of @p cell; none at walls and symmetry planes. */
+      /** Power through face @p f of @p cell; none at walls and symmetry planes. */
       double compute(const Cell &cell, const unsigned int f)
       {
         const auto &condition = space.get_boundary_condition(cell->face(f)->boundary_id());

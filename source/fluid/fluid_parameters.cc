@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fluid/fluid_parameters.h>
 
 #include <caudal/base/checks.h>

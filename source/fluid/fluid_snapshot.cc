@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/compatibility.h>
 #include <caudal/fluid/fluid_snapshot.h>
 
@@ -26,7 +27,7 @@ namespace caudal
       return index;
     }
 
-    /** The same cell with the unknowns of @p dofs. */
+    /** The cell with the unknowns of @p dofs. */
     template <int dim>
     typename DoFHandler<dim>::active_cell_iterator
     get_cell_of(const DoFHandler<dim>                                   &dofs,

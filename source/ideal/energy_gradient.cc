@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The derivative of the fluid's energy with respect to the shape, by the adjoint equations.
 
 #include <caudal/ideal/exterior_flow.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/exterior_flow.h>
 #include <caudal/ideal/laplace_kernel.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/bending_body.h>
 #include <caudal/ideal/ideal_case.h>
 #include <caudal/ideal/mesh_body.h>

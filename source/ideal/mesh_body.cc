@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/mesh_body.h>
 #include <caudal/ideal/surface_quadrature.h>
 

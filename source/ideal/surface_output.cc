@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/surface_output.h>
 
 #include <deal.II/fe/fe_system.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/surface_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>

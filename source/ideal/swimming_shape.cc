@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/swimming_shape.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>

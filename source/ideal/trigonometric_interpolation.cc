@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/trigonometric_interpolation.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/io/checkpoint_folder.h>
 
 #include <caudal/base/collective.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
 #include <caudal/base/compatibility.h>

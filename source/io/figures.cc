@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
 #include <caudal/io/figures.h>
 
@@ -79,7 +80,7 @@ namespace caudal
       return Utilities::trim(header.substr(0, header.rfind(" [")));
     }
 
-    /** Of statistics*.txt, "# n: name [unit]" and rows, or of summary.csv, names and rows. */
+    /** The table in statistics*.txt, "# n: name [unit]" and rows, or in summary.csv. */
     Table read_table(const std::filesystem::path &path, const double start)
     {
       Table                    table{path.filename().string(), {}, {}};

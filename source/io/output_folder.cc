@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
 #include <caudal/io/output_folder.h>
 #include <caudal/io/safe_file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_linear_division_h
 #define caudal_linear_division_h
 
@@ -56,7 +57,7 @@ namespace caudal
   {
     Share(const Groups &groups, const MatrixParts &parts, MPI_Comm communicator);
 
-    /** Those it eliminates, then those of the interface that it touches. */
+    /** The unknowns it eliminates, then those of the interface that it touches. */
     std::vector<int> unknowns;
     unsigned int     n_interior = 0;
     /** In groups, by their numbers in `unknowns`. */

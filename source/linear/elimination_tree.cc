@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "elimination_tree.h"
 
 #include <deal.II/base/exceptions.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "front.h"
 
 #include <deal.II/lac/lapack_templates.h>
@@ -13,7 +14,7 @@ namespace caudal
   {
     /** Columns that are eliminated at once: few enough for the cache, many enough for BLAS. */
     constexpr int panel_width = 32;
-    /** The same for the triangular solutions in them, which BLAS is slow at. */
+    /** Columns of a panel's triangular solution at once; BLAS is slow at those. */
     constexpr int small_width = 8;
 
     /** A pivot is poor where the entries below it are larger by this factor. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/mesh/round_grids.h>
 
 #include <deal.II/fe/mapping_q.h>

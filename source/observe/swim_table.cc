@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/swim_table.h>
 
 #include <caudal/base/json.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/io/progress.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/solid/elasticity.h>
@@ -13,7 +14,7 @@ namespace caudal
   {
     const unsigned int largest_number_of_iterations = 30;
 
-    // Of Newton's last correction, beside the body's length. The error is far smaller.
+    // Newton's last correction beside the body's length; the error is far smaller.
     const double tolerance = 1e-9;
   } // namespace
 

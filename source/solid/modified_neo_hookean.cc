@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/solid/material_tools.h>
 
 #include <cmath>
@@ -47,7 +48,7 @@ namespace caudal
         return true;
       }
 
-      /** That of the neo-Hookean material, which differs from this one by a pressure. */
+      /** The neo-Hookean material's modulus: the two differ by a pressure. */
       double get_wave_modulus() const override
       {
         return 2. * mu;

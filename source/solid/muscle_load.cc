@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/solid/elasticity.h>
 #include <caudal/solid/load.h>
 
@@ -69,7 +70,7 @@ namespace caudal
       const SolidBody<dim> &body;
       const Muscle<dim>    &muscle;
 
-      /** Of P_a = F S_a: (grad N_j S_a).grad N_i for equal components. */
+      /** Stiffness of P_a = F S_a: (grad N_j S_a).grad N_i for equal components. */
       static void add_stiffness(const FiniteElement<dim> &element, const Tensor<2, dim> &stress,
                                 const std::vector<Tensor<1, dim>> &gradients, const double weight,
                                 FullMatrix<double> &stiffness)

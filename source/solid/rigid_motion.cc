@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/solid/rigid_motion.h>
 
 #include <deal.II/lac/full_matrix.h>

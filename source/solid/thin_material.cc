@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/solid/material_tools.h>
 #include <caudal/solid/thin_material.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/viscous/immersed_swimmer.h>
 
 #include <caudal/base/archive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/mesh/canonical_grid.h>
 #include <caudal/viscous/operators.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/viscous/parameters.h>
 
 #include <set>
@@ -84,7 +85,7 @@ namespace caudal
     fluid.check();
     for (const auto &body : bodies)
     {
-      // Its files would be those of the flow.
+      // The files of such a body would have the names of the flow's.
       AssertThrow(body->solid.get_path() != "Body fluid",
                   ExcMessage("Bodies: a body can't be called fluid. Give it another name."));
       body->check(time.is_explicit());

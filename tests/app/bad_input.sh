@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # What can be wrong with a case is said in a sentence before anything is written.
 
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # The benchmarks that take seconds, by scripts/benchmark: all of their gates are met.
 set -e
 "$CAUDAL_SOURCE_DIR/scripts/benchmark" --folder "$PWD/results" \

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # A disk that takes no more: said at once, exit code 1, the last whole checkpoint intact.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # A run that cannot go on writes the last good state, says why and ends with 1.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 

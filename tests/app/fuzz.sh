@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Mutated parameter files and damaged checkpoints: no crash, no hang, a sentence for each error.
 cat >tank.prm <<'EOF'
 set Bodies = fish

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Guards beyond what tests/viscous/guards.prm shows: a resumed run warns of what is new and counts
 # on, and a power that differs by round-off is seen.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"

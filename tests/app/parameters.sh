@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Every case in prm/ can be run; what a run writes as its parameters is the same
 # case again.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # A run that is stopped by a signal or by its wall time goes on as if it had not been; changed
 # parameters; another number of ranks; damaged checkpoints.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"

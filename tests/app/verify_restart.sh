@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # A resumed run is the one that was not interrupted, bit by bit, on one and on two ranks.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Parameter files: includes, overrides and what is said of mistakes in them;
 // the reference of all parameters; the command line.
 

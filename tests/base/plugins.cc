@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Plug-ins: members that register themselves, own their parameters and are
 // chosen by name; what is set for those that are not chosen; libraries.
 

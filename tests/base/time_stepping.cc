@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Adapted steps: each indicator acts relative to its own parameter, the error with the third
 // root; the smallest step wins, within the bounds of growth and Time/Largest step.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Values that the user gives: range checks, expressions, and JSON files.
 
 #include <caudal/base/checks.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The interaction operator across hanging nodes and beside a boundary: the
 // adjointness of interpolation and spreading, the power identity, and the exact
 // interpolation of linear fields. The numbers must not depend on the ranks.

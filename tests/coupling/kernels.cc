@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Which moment conditions each kernel has on a lattice of spacing 1, for any
 // position r: the zeroth and first one, the even-odd condition of Peskin (2002)
 // (both halves of a chequered lattice weigh 1/2) and the sum of squares.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # A fish of elliptic sections, and an ellipsoid, are the same body as a grid in space, as the closed
 # surface in an ideal fluid, and, in its middle section, as a plane grid; a gait of joints bends it in
 # a viscous fluid, too. What a shape cannot give is said in a sentence.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Gaits: the midline keeps its length and a symmetric body its area, cross
 // sections stay normal, velocities are time derivatives, with and without a start-up; a known
 // displacement and an arc of a circle come out; bad input.
@@ -139,7 +140,7 @@ int main()
             1e-5)
       << std::endl;
 
-  // Those of the ideal-fluid model in time.
+  // Gaits of joints, as functions of time.
   check_gait("joints", {{"Type", "arctangent"}, {"Frequency", "1.5"}});
   check_gait("joints, started", {{"Type", "sine"}, {"Bias", "3"}, {"Start-up ramp", "0.7"}});
   check_gait("wave of curvature", {{"Type", "curvature wave"}, {"Growth", "0.5"}});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Muscles: when the bang-bang muscle switches, and that neither the step size
 // nor a rejected step changes its impulse; values of wave, fibres and table,
 // in the middle of their periods and at their edges; controllers; bad input.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The operators of the momentum and continuity equations against their weak forms, which FEValues
 // integrates here term by term: residual, matrix, divergence, stabilisation. Grid with hanging
 // nodes, walls, inflow, an outflow with backflow.

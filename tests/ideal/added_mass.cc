@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Added masses of ellipsoids against Lamb (Hydrodynamics, 6th ed. 1932, sections 114 and 121):
 // k of the translations, I/(rho V) of the rotations; their order of convergence; the same
 // without the mirror symmetry, which halves the work; the volume.

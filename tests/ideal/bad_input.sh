@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # What can be wrong with a case of the potential model is said in a sentence before anything is
 # written.
 

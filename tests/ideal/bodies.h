@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Straight bodies and gaits from entries of the sections Shape and Gait.
 #ifndef caudal_tests_ideal_bodies_h
 #define caudal_tests_ideal_bodies_h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The derivatives of the energy with respect to the coordinates of the deformation, for motions
 // in all directions, against differences of the energies of neighbouring shapes: of the fluid,
 // with and without the use of mirror symmetry, and of the body; the second derivatives of places.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_tests_ideal_pulsating_sphere_h
 #define caudal_tests_ideal_pulsating_sphere_h
 
@@ -62,7 +63,7 @@ namespace caudal::ideal
     const double                radius, amplitude;
     const unsigned int          order;
   };
-  /** Its gait: c = (cos psi, sin psi). */
+  /** The gait of a pulsating sphere: c = (cos psi, sin psi). */
   class PulsatingGait : public ModalGait
   {
   public:

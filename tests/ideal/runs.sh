@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Runs of the potential model: their files and what they say, for one frequency and for two.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 

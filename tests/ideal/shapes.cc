@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The straight and the bent body: profiles do not overshoot and are smooth; modes are the
 // derivatives of positions; a bend keeps the volume and the body's mass matrix is that of the
 // moving matter; symmetries of the gaits; the deforming sphere keeps its volume; splines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Swimming against known answers and exact identities: see the comment at each of them.
 
 #include <caudal/ideal/kirchhoff.h>

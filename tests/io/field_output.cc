@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fields of a distributed mesh and of a body that each rank has, in both
 // formats: the list that ParaView opens, and its continuation in a resumed run.
 

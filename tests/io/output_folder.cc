@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Which folders are taken for the results, which are refused and what is removed.
 
 #include <caudal/io/output_folder.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Reports of both models, as a browser sees them: all charts are drawn without an
 # error, pictures and animation are in the page, and nothing is loaded from elsewhere.
 # What a report can't be made of is refused with a sentence.

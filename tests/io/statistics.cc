@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of statistics: headers, rows, what is refused, and a resumed run.
 
 #include <caudal/io/progress.h>

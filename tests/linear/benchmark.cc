@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a factorisation costs, by model problems of the kind and size of prm/fish.prm and
 // prm/fish_paper.prm: the momentum of a step with an augmented Lagrangian, Q2 elements on a grid
 // refined at a NACA 0012 profile, and velocities and force densities of a body of that shape.

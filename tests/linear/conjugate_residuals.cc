@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate residuals: three eigenvalues take three iterations, each with one application of the
 // preconditioner; too few are reported; a right hand side of zeros takes none; the limit of a
 // singular operator is not taken for a solution.

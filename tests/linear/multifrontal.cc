@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The direct solver on one to three ranks. A square of nodes with two unknowns each, in element
 // matrices, and a body: unknowns without a position, whose entries rank 0 has. Printed are three
 // unknowns of the solution, which are sin(1), sin(n/2) and sin(n), and what a repetition may not

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The grid of each shape: size against the exact one, quality, regions. A gmsh
 // file. The sentences for input that can't work.
 

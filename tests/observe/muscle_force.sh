@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # The field muscle_force is that of the time of the other fields: a surface load that grows in the
 # step has reached at its end the value of one that has always been there.
 set -e

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tail beats of synthetic signals with known period, amplitude, speed, power, thrust and
 // energies; the table on the screen and in both files.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # What the elastic model can't do is said in a sentence.
 
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"

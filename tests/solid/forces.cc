@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The loads on a body: no elastic forces in a rigid motion, balanced ones in any deformation, and
 // the tangents of elastic and muscle forces against differences.
 

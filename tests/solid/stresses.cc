@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every material: P against differences of the energy, the tangent against
 // differences of P, its major symmetry, objectivity, and no stress in a rotation.
 

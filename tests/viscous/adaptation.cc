@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Adapting the grid, by refining and by coarsening: what the transfer of the
 // velocity does to mass (its discrete divergence), momentum and energy.
 

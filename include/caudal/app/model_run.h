@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_app_model_run_h
 #define caudal_app_model_run_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_app_verify_restart_h
 #define caudal_app_verify_restart_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_base_archive_h
 #define caudal_base_archive_h
 
@@ -21,7 +22,7 @@ namespace caudal
     return stream.str();
   }
 
-  /** Its inverse; throws a sentence if the bytes are not those of such an object. */
+  /** Reads @p object from @p bytes; throws a sentence if they are not those of such an object. */
   template <class Object>
   void unpack(const std::string &bytes, Object &object)
   {

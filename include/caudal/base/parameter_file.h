@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_base_parameter_file_h
 #define caudal_base_parameter_file_h
 
@@ -14,7 +15,7 @@ namespace caudal
   /** An entry or a section that had another name in an earlier version. */
   struct RenamedEntry
   {
-    /** Its path; a `*` stands for any part of a name, as in `Body *` with what follows. */
+    /** Path of the entry; a `*` stands for any part of a name, as in `Body *` with what follows. */
     std::string old_path;
     /** In the same order, each `*` stands for what it stood for in the old path. */
     std::string new_path;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fish_body_function_h
 #define caudal_fish_body_function_h
 

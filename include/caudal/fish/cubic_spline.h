@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fish_cubic_spline_h
 #define caudal_fish_cubic_spline_h
 
@@ -16,7 +17,7 @@ namespace caudal
   std::vector<double> compute_spline_slopes(const std::vector<double> &x,
                                             const std::vector<double> &y, bool periodic);
 
-  /** That curve. */
+  /** The curve through the points with these slopes. */
   class CubicSpline
   {
   public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fish_lateral_force_h
 #define caudal_fish_lateral_force_h
 

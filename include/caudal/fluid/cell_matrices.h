@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fluid_cell_matrices_h
 #define caudal_fluid_cell_matrices_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fluid_cellwise_matrix_h
 #define caudal_fluid_cellwise_matrix_h
 
@@ -43,7 +44,7 @@ namespace caudal
     /** After the constraints are resolved: global indices, and those among this rank's entries. */
     std::vector<int>          unknowns;
     std::vector<unsigned int> local_unknowns;
-    /** Those of the cells that are constrained, likewise. */
+    /** The unknowns of the cells that are constrained, likewise. */
     std::vector<int>          constrained;
     std::vector<unsigned int> local_constrained;
     std::vector<double>       values;    // row by row

@@ -31,7 +31,7 @@ namespace caudal
     void Tvmult_add(FieldVector &velocity, const FieldVector &pressure) const;
 
   private:
-    /** Of each cell in turn, the rows and columns, as places among this rank's entries. */
+    /** Rows and columns of each cell in turn, as places among this rank's entries. */
     std::vector<unsigned int> rows, columns;
     std::vector<std::size_t>  columns_begin;
     std::vector<double>       values; // cell by cell, row by row

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fluid_fluid_space_h
 #define caudal_fluid_fluid_space_h
 
@@ -36,7 +37,7 @@ namespace caudal
      */
     const AffineConstraints<double> &get_constraints(double time) const;
 
-    /** The same with zero boundary values, for corrections. */
+    /** The constraints with zero boundary values, for corrections. */
     const AffineConstraints<double> &get_homogeneous_constraints() const
     {
       return homogeneous_constraints;

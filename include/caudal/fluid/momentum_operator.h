@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_fluid_momentum_operator_h
 #define caudal_fluid_momentum_operator_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_ideal_boundary_elements_h
 #define caudal_ideal_boundary_elements_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_linear_conjugate_residuals_h
 #define caudal_linear_conjugate_residuals_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_mesh_shape_h
 #define caudal_mesh_shape_h
 

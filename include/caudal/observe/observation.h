@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_observe_observation_h
 #define caudal_observe_observation_h
 
@@ -11,7 +12,7 @@ namespace caudal
   /** Results of one step for a body. */
   struct BodyReport
   {
-    /** Of the positions at t^{n+1}. */
+    /** Summary of the deformation at t^{n+1}. */
     DeformationSummary deformation;
     /** Mean over the step [W, in 2D W/m]. */
     double muscle_power = 0;
@@ -28,7 +29,7 @@ namespace caudal
   {
     unsigned int            iterations = 0;
     TimeStepper::Indicators indicators;
-    /** Of the velocity at t^{n+1}. */
+    /** Summary of the velocity at t^{n+1}. */
     FlowSummary<dim> flow;
     /**
      * Weight of the present velocity in the time derivative [1/s], by which the stabilisation of
@@ -36,8 +37,8 @@ namespace caudal
      */
     double rate = 0;
     /**
-     * What the scheme's own damping has taken from the fluid in the step [J, in 2D J/m]: with BDF2
-     * rho/4 |u^{n+1} - 2 u^n + u^{n-1}|^2, for equal steps (Hairer & Wanner 1996,
+     * Energy that the scheme's own damping takes from the fluid in the step [J, in 2D J/m]: with
+     * BDF2 rho/4 |u^{n+1} - 2 u^n + u^{n-1}|^2, for equal steps (Hairer & Wanner 1996,
      * doi:10.1007/978-3-642-05221-7, V.6: the G-norm of the method).
      */
     double                  damping = 0;
@@ -71,8 +72,7 @@ namespace caudal
     const FluidSpace<dim>  &space;
     const CellLattice<dim> &lattice;
     const FluidState<dim>  &fluid;
-    /** Of the step that led to t^n; at the start that of the initial state, with zeros for a step.
-     */
+    /** Results of the step that led to t^n; at the start, the initial state's and zeros. */
     const StepReport<dim> &report;
     /** Half the width of the kernel's support, in cells of the finest level. */
     double                            kernel_support = 0;

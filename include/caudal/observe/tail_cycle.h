@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_observe_tail_cycle_h
 #define caudal_observe_tail_cycle_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_solid_body_h
 #define caudal_solid_body_h
 
@@ -96,7 +97,10 @@ namespace caudal
     /** The forces b of the loads of the @p account [N, in 2D N/m]. */
     Vector<double> compute_force(LoadAccount account, const BodyMotion &motion) const;
 
-    /** Those of all accounts; adds their derivatives to @p response unless that is null. */
+    /**
+     * The forces b of each account [N, in 2D N/m]; adds their derivatives to @p response unless
+     * that is null.
+     */
     std::map<LoadAccount, Vector<double>> compute_forces(const BodyMotion &motion,
                                                          BodyResponse *response = nullptr) const;
 
@@ -109,7 +113,7 @@ namespace caudal
     }
     /** The direction in which the fish looks, from tail to nose. */
     Tensor<1, dim> get_forward_direction(const BodyState &state) const;
-    /** Of the muscle in the middle of the last step, 1 at full strength [1]. */
+    /** Activation of the muscle in the middle of the last step, 1 at full strength [1]. */
     double get_activation(const BodyState &state) const
     {
       return muscle->activation(state.contraction);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_solid_material_tools_h
 #define caudal_solid_material_tools_h
 

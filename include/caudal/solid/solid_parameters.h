@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_solid_solid_parameters_h
 #define caudal_solid_solid_parameters_h
 

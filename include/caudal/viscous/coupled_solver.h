@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_viscous_coupled_solver_h
 #define caudal_viscous_coupled_solver_h
 
@@ -66,7 +67,7 @@ namespace caudal
       return n_factorisations;
     }
 
-    /** Those of them that needed pivots from all rows, which is slow. */
+    /** Number of factorisations that needed pivots from all rows, which is slow. */
     unsigned int get_n_pivoting_factorisations() const
     {
       return n_pivoting_factorisations;

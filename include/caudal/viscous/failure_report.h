@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_viscous_failure_report_h
 #define caudal_viscous_failure_report_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef caudal_viscous_immersed_swimmer_h
 #define caudal_viscous_immersed_swimmer_h
 
@@ -59,7 +60,7 @@ namespace caudal
     void             write_checkpoint();
     void             write_last_state(Log &log);
     unsigned int     get_memory() const; // the most so far [MiB], on all ranks
-    /** Of @p n_steps over @p duration [s], with tail beats of @p period [s], 0 for none. */
+    /** Prints what @p n_steps over @p duration [s] cost; @p period of the tail beats [s] or 0. */
     void print_costs(unsigned int n_steps, double duration, double period, std::ostream &out) const;
   };
 } // namespace caudal
