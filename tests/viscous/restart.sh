@@ -18,7 +18,7 @@ end
 END
 
 count_rows() {
-  grep -cv "^#" results/statistics.txt 2>/dev/null
+  cat results/statistics.txt 2>/dev/null | grep -cv "^#"
 }
 
 # disturb RANKS: runs, stops and resumes until the end. A run that was stopped ends with 2.
