@@ -26,7 +26,7 @@ mkdir project
 cat >project/CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.18)
 project(user LANGUAGES CXX)
-find_package(caudal 0.1 REQUIRED)
+find_package(caudal 0.2 REQUIRED)
 add_executable(user user.cc)
 target_link_libraries(user caudal::caudal)
 caudal_add_plugin(plugin plugin.cc)
