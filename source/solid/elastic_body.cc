@@ -38,6 +38,26 @@ namespace caudal
   }
 
   template <int dim>
+  void ElasticBody<dim>::start()
+  {
+    if (parameters.is_static)
+      return;
+    acceleration = weight;
+    solid.apply_inverse_mass(acceleration);
+    acceleration /= solid.get_excess_density();
+    for (unsigned int i = 0; i < solid.n_dofs(); ++i)
+      if (solid.is_fixed(i))
+        acceleration[i] = 0;
+  }
+
+  template <int dim>
+  void ElasticBody<dim>::check(std::ostream &out, bool /*fast*/) const
+  {
+    print_summary(out);
+    out << "No problems found.\n";
+  }
+
+  template <int dim>
   void ElasticBody<dim>::print_summary(std::ostream &out) const
   {
     out << "Body " << solid.get_name() << ": " << solid.get_triangulation().n_active_cells()
@@ -127,11 +147,11 @@ namespace caudal
       for (unsigned int d = 0; d < dim; ++d)
         statistics.set(prefix + "xyz"[d] + " of point " + std::to_string(k + 1), "m",
                        solid.evaluate(positions, k)[d]);
-    Vector<double> momentum(solid.n_dofs()), displacement(positions);
-    solid.get_mass_matrix().vmult(momentum, velocity);
+    Vector<double> displacement(positions);
     displacement -= solid.get_initial_positions();
     statistics.set(prefix + "kinetic energy", get_extensive_unit<dim>("J"),
-                   0.5 * solid.get_excess_density() * (momentum * velocity));
+                   0.5 * solid.get_excess_density() *
+                       solid.get_mass_matrix().matrix_norm_square(velocity));
     statistics.set(prefix + "elastic energy", get_extensive_unit<dim>("J"), shape.elastic_energy);
     statistics.set(prefix + "work of gravity", get_extensive_unit<dim>("J"), weight * displacement);
     statistics.set(prefix + "min J", "", shape.smallest_jacobian);
@@ -149,17 +169,7 @@ namespace caudal
                       is_terminal());
     const double n_steps = std::ceil(parameters.end_time / parameters.step * (1 - 1e-9));
     const double step    = parameters.end_time / n_steps;
-    // The weight acts from t = 0 on.
-    if (!parameters.is_static)
-    {
-      acceleration = weight;
-      solid.apply_inverse_mass(acceleration);
-      acceleration /= solid.get_excess_density();
-      for (unsigned int i = 0; i < solid.n_dofs(); ++i)
-        if (solid.is_fixed(i))
-          acceleration[i] = 0;
-    }
-    unsigned int n = 0;
+    unsigned int n       = 0;
     while (n < n_steps && !stop_requested())
     {
       ++n;
