@@ -33,8 +33,10 @@ namespace caudal
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(communicator) == 1,
                 ExcMessage("Model: the elastic model runs on one rank. Start it without mpirun."));
-    weight = solid.compute_moments([&](const Point<dim> &) { return parameters.gravity; });
-    weight *= solid.get_excess_density();
+    Vector<double> gravity(solid.n_dofs());
+    for (const auto &node : solid.get_nodes())
+      set_value(gravity, node, solid.get_excess_density() * parameters.gravity);
+    solid.get_mass_matrix().vmult(weight, gravity);
   }
 
   template <int dim>
