@@ -101,76 +101,38 @@ namespace
     return outcome == Outcome::finished ? finished : stopped;
   }
 
-  /** Runs, resumes, checks or verifies a case of a model with checkpoints. */
-  template <class Swimmer>
-  Exit run_model(ParameterFile &file, const CommandLine &command_line)
-  {
-    file.rename(Swimmer::Parameters::get_renamed_entries());
-    using Action                  = CommandLine::Action;
-    const unsigned int n_verified = 10; // steps
-    if (command_line.action == Action::verify_restart)
-    {
-      print(verify_restart<Swimmer>(file, n_verified, MPI_COMM_WORLD) + "\n");
-      return finished;
-    }
-    const ModelRun<Swimmer> run(file, MPI_COMM_WORLD);
-    if (command_line.action == Action::check)
-    {
-      std::ostringstream summary;
-      run.check(summary, command_line.fast);
-      print(summary.str());
-      return finished;
-    }
-    return get_exit(command_line.action == Action::resume ? run.resume(stop_requested)
-                                                          : run.start(stop_requested));
-  }
+  template <class Model>
+  constexpr bool writes_checkpoints = true;
 
   template <int dim>
-  Exit run_elastic(ParameterFile &file, const CommandLine &command_line)
-  {
-    file.rename(BodyGridParameters<dim>::get_renamed_entries());
-    using Action = CommandLine::Action;
-    ElasticParameters<dim> parameters(&file);
-    AssertThrow(command_line.action != Action::resume &&
-                    command_line.action != Action::verify_restart,
-                ExcMessage("Model: runs of the model " + parameters.model +
-                           " write no checkpoints. Start the run anew."));
-    ParameterHandler prm;
-    FigureParameters figures;
-    parameters.declare(prm);
-    figures.add_parameters(prm);
-    file.parse(prm);
-    parameters.check();
-    figures.check();
-    const std::vector<std::string> remarks = file.get_remarks(prm);
+  constexpr bool writes_checkpoints<ElasticBody<dim>> = false;
 
-    // What can be wrong with the case is found before anything is written.
-    ElasticBody<dim> body(parameters, MPI_COMM_WORLD);
-    if (command_line.action == Action::check)
+  /** Runs, resumes, checks or verifies a case of a model. */
+  template <class Model>
+  Exit run_model(ParameterFile &file, const CommandLine &command_line)
+  {
+    file.rename(Model::Parameters::get_renamed_entries());
+    using Action = CommandLine::Action;
+    if constexpr (writes_checkpoints<Model>)
     {
-      std::ostringstream summary;
-      for (const std::string &remark : remarks)
-        summary << remark << '\n';
-      body.print_summary(summary);
-      print(summary.str() + "No problems found.\n");
-      return finished;
+      if (command_line.action == Action::verify_restart)
+      {
+        print(verify_restart<Model>(file, /*n_steps=*/10, MPI_COMM_WORLD) + "\n");
+        return finished;
+      }
+      if (command_line.action == Action::resume)
+        return get_exit(ModelRun<Model>(file, MPI_COMM_WORLD).resume(stop_requested));
     }
-    const OutputFolder folder(parameters.output.folder, MPI_COMM_WORLD);
-    std::ostringstream used_parameters;
-    prm.print_parameters(used_parameters, ParameterHandler::PRM);
-    folder.write_parameters(used_parameters.str());
-    Log log(folder.path("log.txt"), MPI_COMM_WORLD);
-    if (figures.are_printed())
-      log.keep_from_terminal(figures.with_warnings);
-    log.print_banner();
-    for (const std::string &remark : remarks)
-      log << remark << std::endl;
-    for (const std::string &override_text : file.get_overrides())
-      log << "Override: " << override_text << std::endl;
-    const Outcome outcome = body.run(folder, log, stop_requested);
-    if (outcome == Outcome::finished)
-      print_figures(figures, parameters.output.folder, MPI_COMM_WORLD);
-    return get_exit(outcome);
+    AssertThrow(command_line.action == Action::run || command_line.action == Action::check,
+                ExcMessage("Model: runs of the model " + file.get("Model", "") +
+                           " write no checkpoints. Start the run anew."));
+    const ModelRun<Model> run(file, MPI_COMM_WORLD);
+    if (command_line.action == Action::run)
+      return get_exit(run.start(stop_requested));
+    std::ostringstream summary;
+    run.check(summary, command_line.fast);
+    print(summary.str());
+    return finished;
   }
 
   /** The parameters of the run in a folder of results, with overrides. */
@@ -200,17 +162,10 @@ namespace
   Exit run(const int argc, char **argv)
   {
     const CommandLine command_line = parse_command_line(argc, argv);
-    const bool        is_root      = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    if (command_line.action == CommandLine::Action::help)
+    if (command_line.action == CommandLine::Action::help ||
+        command_line.action == CommandLine::Action::version)
     {
-      if (is_root)
-        std::cout << get_help();
-      return finished;
-    }
-    if (command_line.action == CommandLine::Action::version)
-    {
-      if (is_root)
-        std::cout << get_version() << std::endl;
+      print(command_line.action == CommandLine::Action::help ? get_help() : get_version() + "\n");
       return finished;
     }
     std::unique_ptr<ParameterFile> file;
@@ -230,7 +185,8 @@ namespace
       return run_model<IdealSwimmer>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
-      return is_plane ? run_elastic<2>(*file, command_line) : run_elastic<3>(*file, command_line);
+      return is_plane ? run_model<ElasticBody<2>>(*file, command_line)
+                      : run_model<ElasticBody<3>>(*file, command_line);
     return is_plane ? run_model<ImmersedSwimmer<2>>(*file, command_line)
                     : run_model<ImmersedSwimmer<3>>(*file, command_line);
   }

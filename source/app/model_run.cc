@@ -1,12 +1,58 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/app/model_run.h>
-#include <caudal/app/resume.h>
 #include <caudal/base/archive.h>
 #include <caudal/ideal/ideal_swimmer.h>
+#include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
+
+#include <regex>
 
 namespace caudal
 {
+  namespace
+  {
+    std::string get_value(const ParameterValues &values, const std::string &path)
+    {
+      const auto found = values.find(path);
+      return found == values.end() ? "not there" : "<" + found->second + ">";
+    }
+
+    /**
+     * What has changed since the parameters @p before: "Time/End time: 5 before, now 7". Throws
+     * if one of them can't change in the middle of a run: @p fixed is a regular expression for
+     * these entries.
+     */
+    std::vector<std::string> compare_parameters(const ParameterValues &before,
+                                                const ParameterValues &now,
+                                                const std::string     &fixed)
+    {
+      const std::regex fixed_entries(fixed);
+      ParameterValues  all = now;
+      all.insert(before.begin(), before.end());
+      all.erase("Output/Folder"); // it may have been moved
+
+      std::vector<std::string> changes;
+      std::string              refused;
+      for (const auto &entry : all)
+      {
+        const std::string &path      = entry.first;
+        const std::string  old_value = get_value(before, path), new_value = get_value(now, path);
+        if (old_value == new_value)
+          continue;
+        changes.push_back(path + ": " + old_value + " before, now " + new_value);
+        if (std::regex_match(path, fixed_entries))
+          refused += "\n  " + changes.back();
+      }
+      AssertThrow(
+          refused.empty(),
+          ExcMessage(
+              "A run can't be resumed with another grid, other bodies, other gaits or another "
+              "scheme. Leave these as they were, or start a new run:" +
+              refused));
+      return changes;
+    }
+  } // namespace
+
   template <class Swimmer>
   ModelRun<Swimmer>::ModelRun(const ParameterFile &file, MPI_Comm communicator)
       : parameters(&file)
@@ -51,10 +97,10 @@ namespace caudal
   template <class Swimmer>
   Outcome ModelRun<Swimmer>::resume(const std::function<bool()> &stop_requested) const
   {
-    const CheckpointFolder folder(parameters.output.folder, parameters.checkpoint.n_slots,
-                                  communicator);
-    const auto             slot = folder.read_newest();
-    Checkpoint             checkpoint;
+    const CheckpointFolder       folder(parameters.output.folder, parameters.checkpoint.n_slots,
+                                        communicator);
+    const auto                   slot = folder.read_newest();
+    typename Swimmer::Checkpoint checkpoint;
     unpack(slot.data, checkpoint);
     std::ostringstream place;
     place << "Resumed from <" << slot.path << ">, t = " << checkpoint.time << " s.";
@@ -93,4 +139,13 @@ namespace caudal
   template class ModelRun<ImmersedSwimmer<2>>;
   template class ModelRun<ImmersedSwimmer<3>>;
   template class ModelRun<IdealSwimmer>;
+
+  // Without resume().
+#define INSTANTIATE(dim)                                                                           \
+  template ModelRun<ElasticBody<dim>>::ModelRun(const ParameterFile &, MPI_Comm);                  \
+  template void    ModelRun<ElasticBody<dim>>::check(std::ostream &, bool) const;                  \
+  template Outcome ModelRun<ElasticBody<dim>>::start(const std::function<bool()> &) const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace caudal

@@ -278,12 +278,14 @@ namespace caudal
                                           const DeclaredSection &declared,
                                           ParameterHandler      &prm) const
   {
-    const bool opens_section = assignment.entry.empty();
-    Sections   around        = assignment.sections;
+    const bool        opens_section = assignment.entry.empty();
+    const std::string name          = opens_section ? assignment.sections.back() : assignment.entry;
+    Sections          around        = assignment.sections;
     if (opens_section)
       around.pop_back();
-    const std::string place =
-        around.empty() ? "outside all sections" : "in section <" + join(around, "/") + ">";
+    const std::string sentence =
+        std::string("there is no ") + (opens_section ? "section" : "entry") + " <" + name + "> " +
+        (around.empty() ? "outside all sections" : "in section <" + join(around, "/") + ">") + ". ";
 
     const DeclaredSection *const section = find_section(declared, around);
     if (section == nullptr)
@@ -293,24 +295,15 @@ namespace caudal
           std::any_of(assignments.begin(), assignments.end(), [&](const Assignment &other) {
             return other.is_former && other.sections == around;
           });
-      return !is_former ? ""
-             : opens_section
-                 ? "there is no section <" + assignment.sections.back() + "> " + place +
-                       ". Remove it."
-                 : "there is no entry <" + assignment.entry + "> " + place + ". Remove it.";
+      return is_former ? sentence + "Remove it." : "";
     }
     if (opens_section)
-    {
-      const std::string &name = assignment.sections.back();
       return assignment.is_former || section->find_section(name) != nullptr
                  ? ""
-                 : "there is no section <" + name + "> " + place + ". " +
-                       suggest(name, get_names(section->sections));
-    }
-    if (const DeclaredEntry *const known = section->find_entry(assignment.entry))
+                 : sentence + suggest(name, get_names(section->sections));
+    if (const DeclaredEntry *const known = section->find_entry(name))
       return set_entry(prm, assignment.sections, *known, assignment.value);
-    return "there is no entry <" + assignment.entry + "> " + place + ". " +
-           suggest(assignment.entry, get_names(section->entries));
+    return sentence + suggest(name, get_names(section->entries));
   }
 
   void ParameterFile::parse(ParameterHandler &prm) const

@@ -136,7 +136,12 @@ namespace caudal
     step = previous_step == 0 ? regular_step : std::min(regular_step, 1.5 * previous_step);
     if (parameters->adaptive)
       step = std::min(step, parameters->largest_step);
-    limit_to_end();
+    // The last two steps share what is left, so that none of them is tiny.
+    const double left = parameters->end_time - time;
+    if (left < step * (1 + 1e-9))
+      step = left;
+    else if (left < 2 * step * (1 - 1e-9))
+      step = left / 2;
   }
 
   double TimeStepper::halve(const double failed_step, const unsigned int n_retries,
@@ -150,15 +155,5 @@ namespace caudal
                            " s without success (Time/Largest number of retries, Time/Smallest "
                            "step)."));
     return half;
-  }
-
-  void TimeStepper::limit_to_end()
-  {
-    // The last two steps share what is left, so that none of them is tiny.
-    const double left = parameters->end_time - time;
-    if (left < step * (1 + 1e-9))
-      step = left;
-    else if (left < 2 * step * (1 - 1e-9))
-      step = left / 2;
   }
 } // namespace caudal

@@ -12,13 +12,17 @@ namespace caudal
     class BSplineKernel : public DeltaKernel
     {
     public:
+      BSplineKernel()
+          : DeltaKernel(0.5 * order, (order + 3) / 2) // for the degree order - 1, times quadratics
+      {}
+
       /**
        * sum_j (-1)^j binomial(k,j) (y-j)_+^(k-1)/(k-1)!, with the distance y from
        * the nearer end of the support: few terms and no cancellation.
        */
       double value(const double r) const override
       {
-        const double y           = radius() - std::abs(r);
+        const double y           = radius - std::abs(r);
         double       sum         = 0.;
         double       coefficient = 1.;
         for (unsigned int j = 0; j < y; ++j)
@@ -27,16 +31,6 @@ namespace caudal
           coefficient *= -static_cast<double>(order - j) / (j + 1);
         }
         return sum;
-      }
-
-      double radius() const override
-      {
-        return 0.5 * order;
-      }
-
-      unsigned int n_quadrature_points() const override
-      {
-        return (order + 3) / 2; // for the degree order - 1, times quadratics
       }
 
     private:

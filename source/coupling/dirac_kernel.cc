@@ -11,19 +11,13 @@ namespace caudal
     class DiracKernel : public DeltaKernel
     {
     public:
+      DiracKernel()
+          : DeltaKernel(0., 0)
+      {}
+
       double value(const double r) const override
       {
         return r == 0. ? std::numeric_limits<double>::infinity() : 0.;
-      }
-
-      double radius() const override
-      {
-        return 0.;
-      }
-
-      unsigned int n_quadrature_points() const override
-      {
-        return 0;
       }
     };
 

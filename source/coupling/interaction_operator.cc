@@ -112,6 +112,8 @@ namespace caudal
     /** Ends a body cell: turns its blocks into entries, resolving the constraints. */
     void finish_cell(const std::vector<types::global_dof_index> &body_indices)
     {
+      // What a velocity unknown depends on: its masters if it is constrained, or itself.
+      std::vector<std::pair<types::global_dof_index, double>> own{{0, 1.}};
       for (const auto &[coordinates, block] : blocks)
         if (block.cell != nullptr)
         {
@@ -120,13 +122,22 @@ namespace caudal
           for (unsigned int component = 0; component < dim; ++component)
             for (unsigned int s = 0; s < n_s; ++s)
             {
-              const Column  column(constraints,
-                                   indices[element.component_to_system_index(component, s)]);
+              const auto   index = indices[element.component_to_system_index(component, s)];
+              const bool   is_constrained = constraints.is_constrained(index);
+              const double constant = is_constrained ? constraints.get_inhomogeneity(index) : 0;
+              own[0].first          = index;
+              const auto &masters =
+                  is_constrained ? *constraints.get_constraint_entries(index) : own;
               const double *value =
                   block.values.data() + (n_kernels == 1 ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
-                add_entry(body_indices[body_element.component_to_system_index(component, a)],
-                          column, *value);
+              {
+                const unsigned int row =
+                    body_indices[body_element.component_to_system_index(component, a)];
+                for (const auto &[master, factor] : masters)
+                  entries.push_back({row, master, factor * *value});
+                inhomogeneity[row] += constant * *value;
+              }
             }
         }
       blocks.clear();
@@ -165,34 +176,6 @@ namespace caudal
       const auto        *cell = finest_cells.find(coordinates);
       const unsigned int size = cell == nullptr ? 0 : n_kernels * n_nodes * n_s;
       return blocks.emplace(coordinates, Block{cell, std::vector<double>(size)}).first->second;
-    }
-
-    /** A velocity unknown and what it depends on if it is constrained. */
-    struct Column
-    {
-      Column(const AffineConstraints<double> &constraints, const types::global_dof_index index)
-          : index(index)
-          , is_constrained(constraints.is_constrained(index))
-          , masters(is_constrained ? constraints.get_constraint_entries(index) : nullptr)
-          , inhomogeneity(is_constrained ? constraints.get_inhomogeneity(index) : 0.)
-      {}
-
-      const types::global_dof_index                                        index;
-      const bool                                                           is_constrained;
-      const std::vector<std::pair<types::global_dof_index, double>> *const masters;
-      const double                                                         inhomogeneity;
-    };
-
-    void add_entry(const unsigned int row, const Column &column, const double value)
-    {
-      if (!column.is_constrained)
-        entries.push_back({row, column.index, value});
-      else
-      {
-        for (const auto &[master, factor] : *column.masters)
-          entries.push_back({row, master, factor * value});
-        inhomogeneity[row] += column.inhomogeneity * value;
-      }
     }
   };
 

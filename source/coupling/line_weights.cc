@@ -19,8 +19,8 @@ namespace caudal
 
   LineWeights integrate_line_weights(const double x, const DeltaKernel &kernel)
   {
-    const QGauss<1> quadrature(kernel.n_quadrature_points());
-    const double    radius    = 0.5 * kernel.radius(); // in cells
+    const QGauss<1> quadrature(kernel.n_quadrature_points);
+    const double    radius    = 0.5 * kernel.radius; // in cells
     const int       last_cell = std::floor(x + radius);
     LineWeights     weights;
     weights.first_cell = std::floor(x - radius);
@@ -28,7 +28,7 @@ namespace caudal
 
     // Between the knots, half a cell apart, and sides of cells the integrand is smooth.
     std::vector<double> breaks;
-    for (unsigned int k = 0; k <= std::lround(2 * kernel.radius()); ++k)
+    for (unsigned int k = 0; k <= std::lround(2 * kernel.radius); ++k)
       breaks.push_back(x - radius + 0.5 * k);
     for (int side = weights.first_cell + 1; side <= last_cell; ++side)
       breaks.push_back(side);
@@ -59,7 +59,7 @@ namespace caudal
       nodes[j]           = 0.5 * (1 + std::cos(angle));
       node_weights[j]    = (j % 2 == 0 ? 1 : -1) * std::sin(angle);
     }
-    if (kernel.radius() > 0)
+    if (kernel.radius > 0)
       for (unsigned int quarter = 0; quarter < n_quarters; ++quarter)
         for (const double node : nodes)
           values[quarter].push_back(integrate_line_weights((quarter + node) / n_quarters, kernel));

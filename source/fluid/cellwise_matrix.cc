@@ -9,78 +9,98 @@
 namespace caudal
 {
   template <int dim>
-  void CellwiseMatrix::reinit(const DoFHandler<dim>           &dofs,
-                              const AffineConstraints<double> &constraints)
+  CellwiseMatrix::Unknowns::Unknowns(const DoFHandler<dim>           &dofs,
+                                     const AffineConstraints<double> &constraints)
   {
     const Utilities::MPI::Partitioner partitioner(dofs.locally_owned_dofs(),
                                                   DoFTools::extract_locally_relevant_dofs(dofs),
                                                   compatibility::get_communicator(dofs));
-    unknowns.clear();
-    local_unknowns.clear();
-    constrained.clear();
-    local_constrained.clear();
-    resolutions.clear();
-    unknowns_begin.assign(1, 0);
-    constrained_begin.assign(1, 0);
-    values_begin.assign(1, 0);
-
-    std::vector<types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell()), resolved;
-    const auto                           get_index = [&](const types::global_dof_index dof) {
-      const auto         found = std::find(resolved.begin(), resolved.end(), dof);
-      const unsigned int index = found - resolved.begin();
-      if (found == resolved.end())
-        resolved.push_back(dof);
-      return index;
+    const auto add = [&](const types::global_dof_index dof, CellIndices &indices) {
+      indices.global.push_back(dof);
+      indices.local.push_back(partitioner.global_to_local(dof));
     };
+    // The place in the cell of an unknown that is left.
+    const auto find = [&](const types::global_dof_index dof) -> unsigned int {
+      const auto begin = left.global.begin() + left.begins.back();
+      const auto found = std::find(begin, left.global.end(), static_cast<int>(dof));
+      const auto place = found - begin;
+      if (found == left.global.end())
+        add(dof, left);
+      return place;
+    };
+    std::vector<types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
       {
         cell->get_dof_indices(cell_dofs);
-        resolved.clear();
         std::vector<Resolution> resolution(cell_dofs.size());
         for (unsigned int i = 0; i < cell_dofs.size(); ++i)
           if (!constraints.is_constrained(cell_dofs[i]))
-            resolution[i].emplace_back(get_index(cell_dofs[i]), 1.);
+            resolution[i].emplace_back(find(cell_dofs[i]), 1.);
           else
           {
             for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
-              resolution[i].emplace_back(get_index(dof), weight);
-            constrained.push_back(cell_dofs[i]);
-            local_constrained.push_back(partitioner.global_to_local(cell_dofs[i]));
+              resolution[i].emplace_back(find(dof), weight);
+            add(cell_dofs[i], constrained);
           }
-        for (const auto dof : resolved)
-        {
-          unknowns.push_back(dof);
-          local_unknowns.push_back(partitioner.global_to_local(dof));
-        }
-        const bool is_constrained = constrained.size() > constrained_begin.back();
+        const bool is_constrained = constrained.global.size() > constrained.begins.back();
         resolutions.push_back(is_constrained ? resolution : std::vector<Resolution>());
-        unknowns_begin.push_back(unknowns.size());
-        constrained_begin.push_back(constrained.size());
-        values_begin.push_back(values_begin.back() + resolved.size() * resolved.size());
+        for (CellIndices *indices : {&left, &constrained})
+          indices->begins.push_back(indices->global.size());
       }
-    values.assign(values_begin.back(), 0.);
-    diagonals.assign(resolutions.size(), 0.);
+  }
+
+  template <int dim>
+  void CellwiseMatrix::reinit(const DoFHandler<dim>           &dofs,
+                              const AffineConstraints<double> &constraints)
+  {
+    rows = columns = std::make_shared<const Unknowns>(dofs, constraints);
+    allocate();
+  }
+
+  template <int dim>
+  void CellwiseMatrix::reinit(const DoFHandler<dim> &row_dofs, const DoFHandler<dim> &dofs,
+                              const AffineConstraints<double> &constraints)
+  {
+    rows    = std::make_shared<const Unknowns>(row_dofs, AffineConstraints<double>());
+    columns = std::make_shared<const Unknowns>(dofs, constraints);
+    allocate();
+  }
+
+  void CellwiseMatrix::allocate()
+  {
+    const unsigned int n_cells = columns->resolutions.size();
+    begins.assign(1, 0);
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      begins.push_back(begins.back() + rows->left.n(cell) * columns->left.n(cell));
+    values.assign(begins.back(), 0.);
+    diagonals.assign(n_cells, 0.);
   }
 
   void CellwiseMatrix::set(const unsigned int cell, const FullMatrix<double> &matrix)
   {
-    double *target = &values[values_begin[cell]];
-    if (resolutions[cell].empty())
+    double *target = &values[begins[cell]];
+    if (columns->constrained.n(cell) == 0)
     {
       std::copy_n(&matrix(0, 0), matrix.n_elements(), target);
       return;
     }
-    const std::size_t n = unknowns_begin[cell + 1] - unknowns_begin[cell];
-    std::fill_n(target, n * n, 0.);
+    std::vector<Resolution> themselves; // what rows of another space stand for
+    for (unsigned int i = 0; rows != columns && i < matrix.m(); ++i)
+      themselves.push_back({{i, 1.}});
+    const std::vector<Resolution> &row_resolutions =
+        rows == columns ? rows->resolutions[cell] : themselves;
+    const std::size_t n = columns->left.n(cell);
+    std::fill_n(target, begins[cell + 1] - begins[cell], 0.);
     diagonals[cell] = 0;
     for (unsigned int i = 0; i < matrix.m(); ++i)
     {
       // The mean of the other diagonal entries has the right order of magnitude.
-      diagonals[cell] += std::abs(matrix(i, i)) / matrix.m();
-      for (const auto &[row, row_weight] : resolutions[cell][i])
+      if (rows == columns)
+        diagonals[cell] += std::abs(matrix(i, i)) / matrix.m();
+      for (const auto &[row, row_weight] : row_resolutions[i])
         for (unsigned int j = 0; j < matrix.n(); ++j)
-          for (const auto &[column, column_weight] : resolutions[cell][j])
+          for (const auto &[column, column_weight] : columns->resolutions[cell][j])
             target[row * n + column] += row_weight * column_weight * matrix(i, j);
     }
   }
@@ -92,40 +112,62 @@ namespace caudal
     const double       *in  = source.begin();
     double             *out = result.begin();
     std::vector<double> input;
-    for (unsigned int cell = 0; cell + 1 < unknowns_begin.size(); ++cell)
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
     {
-      const unsigned int *place = local_unknowns.data() + unknowns_begin[cell];
-      const std::size_t   n     = unknowns_begin[cell + 1] - unknowns_begin[cell];
-      const double       *row   = values.data() + values_begin[cell];
+      const std::size_t   n_rows = rows->left.n(cell), n = columns->left.n(cell);
+      const unsigned int *row_place = rows->left.local.data() + rows->left.begins[cell];
+      const unsigned int *place     = columns->left.local.data() + columns->left.begins[cell];
+      const double       *row       = values.data() + begins[cell];
       input.resize(n);
       for (std::size_t i = 0; i < n; ++i)
         input[i] = in[place[i]];
-      for (std::size_t i = 0; i < n; ++i, row += n)
+      for (std::size_t i = 0; i < n_rows; ++i, row += n)
       {
         double sum = 0;
         for (std::size_t j = 0; j < n; ++j)
           sum += row[j] * input[j];
-        out[place[i]] += sum;
+        out[row_place[i]] += sum;
       }
-      for (std::size_t i = constrained_begin[cell]; i < constrained_begin[cell + 1]; ++i)
-        out[local_constrained[i]] += diagonals[cell] * in[local_constrained[i]];
+      const CellIndices &constrained = rows->constrained; // none if the matrix is not square
+      for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
+        out[constrained.local[i]] += diagonals[cell] * in[constrained.local[i]];
     }
+    result.compress(VectorOperation::add);
+  }
+
+  void CellwiseMatrix::Tvmult_add(FieldVector &result, const FieldVector &source) const
+  {
+    Assert(rows != columns, ExcNotImplemented());
+    result.zero_out_ghost_values();
+    const double *in    = source.begin();
+    double       *out   = result.begin();
+    const double *value = values.data();
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
+      for (std::size_t i = rows->left.begins[cell]; i < rows->left.begins[cell + 1]; ++i)
+        for (std::size_t j = columns->left.begins[cell]; j < columns->left.begins[cell + 1]; ++j)
+          out[columns->left.local[j]] += *value++ * in[rows->left.local[i]];
     result.compress(VectorOperation::add);
   }
 
   void CellwiseMatrix::append_to(MatrixParts &matrix) const
   {
-    for (unsigned int cell = 0; cell + 1 < unknowns_begin.size(); ++cell)
+    const auto &[left, constrained, resolutions] = *columns;
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
     {
-      const int n = unknowns_begin[cell + 1] - unknowns_begin[cell];
+      const int n = left.n(cell);
       if (n > 0)
-        matrix.elements.push_back(
-            {n, &unknowns[unknowns_begin[cell]], &values[values_begin[cell]]});
-      for (std::size_t i = constrained_begin[cell]; i < constrained_begin[cell + 1]; ++i)
-        matrix.entries.add(constrained[i], constrained[i], diagonals[cell]);
+        matrix.elements.push_back({n, &left.global[left.begins[cell]], &values[begins[cell]]});
+      for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
+        matrix.entries.add(constrained.global[i], constrained.global[i], diagonals[cell]);
     }
   }
 
-  template void CellwiseMatrix::reinit(const DoFHandler<2> &, const AffineConstraints<double> &);
-  template void CellwiseMatrix::reinit(const DoFHandler<3> &, const AffineConstraints<double> &);
+#define INSTANTIATE(dim)                                                                           \
+  template void CellwiseMatrix::reinit(const DoFHandler<dim> &,                                    \
+                                       const AffineConstraints<double> &);                         \
+  template void CellwiseMatrix::reinit(const DoFHandler<dim> &, const DoFHandler<dim> &,           \
+                                       const AffineConstraints<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace caudal

@@ -27,38 +27,25 @@ namespace caudal
       return index;
     }
 
-    /** The cell with the unknowns of @p dofs. */
+    /** The values of @p field in the cell, by the unknowns of @p dofs. */
     template <int dim>
-    typename DoFHandler<dim>::active_cell_iterator
-    get_cell_of(const DoFHandler<dim>                                   &dofs,
-                const typename Triangulation<dim>::active_cell_iterator &cell)
+    Vector<double> get_values(const DoFHandler<dim> &dofs, const CellAccessor<dim> &cell,
+                              const FieldVector &field)
     {
-      return {&dofs.get_triangulation(), cell->level(), cell->index(), &dofs};
+      Vector<double> values(dofs.get_fe().n_dofs_per_cell());
+      typename DoFHandler<dim>::active_cell_iterator(cell, &dofs)->get_dof_values(field, values);
+      return values;
     }
 
-    /** Appends the cell's values of @p field. */
-    template <class Cell>
-    void append_values(const Cell &cell, const FieldVector &field, std::vector<double> &values)
-    {
-      std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
-      for (const auto dof : dofs)
-        values.push_back(field(dof));
-    }
-
-    /** Sets the cell's values of @p field on this rank from @p value on, which moves on. */
-    template <class Cell>
-    void set_values(const Cell &cell, FieldVector &field,
+    /** Sets the cell's values of @p field from @p value on, which moves on. */
+    template <int dim>
+    void set_values(const DoFHandler<dim> &dofs, const CellAccessor<dim> &cell, FieldVector &field,
                     std::vector<double>::const_iterator &value)
     {
-      std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
-      for (const auto dof : dofs)
-      {
-        if (field.in_local_range(dof))
-          field(dof) = *value;
-        ++value;
-      }
+      Vector<double> values(dofs.get_fe().n_dofs_per_cell());
+      for (double &one : values)
+        one = *value++;
+      typename DoFHandler<dim>::active_cell_iterator(cell, &dofs)->set_dof_values(values, field);
     }
 
     void check_fit(const bool fits)
@@ -80,9 +67,12 @@ namespace caudal
       {
         const Key key = cell->id().template to_binary<dim>();
         snapshot.cells.insert(snapshot.cells.end(), key.begin(), key.end());
+        const auto append = [&](const Vector<double> &values) {
+          snapshot.values.insert(snapshot.values.end(), values.begin(), values.end());
+        };
         for (const FieldVector *velocity : velocities)
-          append_values(get_cell_of(space.velocity_dofs, cell), *velocity, snapshot.values);
-        append_values(get_cell_of(space.pressure_dofs, cell), pressure, snapshot.values);
+          append(get_values(space.velocity_dofs, *cell, *velocity));
+        append(get_values(space.pressure_dofs, *cell, pressure));
       }
     return snapshot;
   }
@@ -140,8 +130,8 @@ namespace caudal
         auto value =
             snapshot.values.begin() + index.at(cell->id().template to_binary<dim>()) * stride;
         for (FieldVector *velocity : velocities)
-          set_values(get_cell_of(space.velocity_dofs, cell), *velocity, value);
-        set_values(get_cell_of(space.pressure_dofs, cell), pressure, value);
+          set_values(space.velocity_dofs, *cell, *velocity, value);
+        set_values(space.pressure_dofs, *cell, pressure, value);
       }
     for (FieldVector *velocity : velocities)
       velocity->update_ghost_values();

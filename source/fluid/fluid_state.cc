@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fluid/fluid_state.h>
 
-#include <caudal/base/collective.h>
-#include <caudal/base/expression.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
-
 #include <cmath>
 
 namespace caudal
@@ -26,17 +19,6 @@ namespace caudal
     velocity.update_ghost_values();
     old_velocity.update_ghost_values();
     pressure.update_ghost_values();
-  }
-
-  template <int dim>
-  void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state)
-  {
-    VectorTools::interpolate(
-        space.velocity_dofs,
-        Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
-        state.velocity);
-    space.get_constraints(0).distribute(state.velocity);
-    state.update_ghost_values();
   }
 
   template <int dim>
@@ -108,131 +90,11 @@ namespace caudal
     return Utilities::MPI::sum(dissipation, space.get_communicator());
   }
 
-  template <int dim>
-  ProbeValues<dim> evaluate_at(const FluidSpace<dim> &space, const FluidState<dim> &state,
-                               const Point<dim> &point)
-  {
-    Vector<double>   velocities(space.velocity_element.n_dofs_per_cell());
-    Vector<double>   pressures(space.pressure_element.n_dofs_per_cell());
-    ProbeValues<dim> sum;
-    double           n_cells = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        // Place in the cell, which is a box; a little outside is on its side.
-        Point<dim> place;
-        bool       is_inside = true;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          place[d]  = (point[d] - cell->vertex(0)[d]) / space.get_cell_size(cell->level())[d];
-          is_inside = is_inside && place[d] > -1e-8 && place[d] < 1 + 1e-8;
-        }
-        if (!is_inside)
-          continue;
-        ++n_cells;
-        cell->get_dof_values(state.velocity, velocities);
-        for (unsigned int i = 0; i < velocities.size(); ++i)
-          sum.velocity[space.velocity_element.system_to_component_index(i).first] +=
-              velocities[i] * space.velocity_element.shape_value(i, place);
-        typename DoFHandler<dim>::active_cell_iterator(*cell, &space.pressure_dofs)
-            ->get_dof_values(state.pressure, pressures);
-        for (unsigned int i = 0; i < pressures.size(); ++i)
-          sum.pressure += pressures[i] * space.pressure_element.shape_value(i, place);
-      }
-    MPI_Comm communicator = space.get_communicator();
-    n_cells               = Utilities::MPI::sum(n_cells, communicator);
-    Assert(n_cells > 0, ExcMessage("The point is outside of the domain."));
-    ProbeValues<dim> mean;
-    mean.velocity = Utilities::MPI::sum(sum.velocity, communicator) / n_cells;
-    mean.pressure = Utilities::MPI::sum(sum.pressure, communicator) / n_cells;
-    return mean;
-  }
-
-  namespace
-  {
-    /** The vorticity of a velocity gradient, as a vector with one or three components. */
-    template <int dim>
-    Tensor<1, dim == 2 ? 1 : 3> compute_vorticity(const Tensor<2, dim> &gradient)
-    {
-      Tensor<1, dim == 2 ? 1 : 3> vorticity;
-      if constexpr (dim == 2)
-        vorticity[0] = gradient[1][0] - gradient[0][1];
-      else
-        for (unsigned int d = 0; d < 3; ++d)
-          vorticity[d] = gradient[(d + 2) % 3][(d + 1) % 3] - gradient[(d + 1) % 3][(d + 2) % 3];
-      return vorticity;
-    }
-  } // namespace
-
-  template <int dim>
-  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
-                                            const FieldVector     &velocity)
-  {
-    Vector<float>               indicator(space.get_triangulation().n_active_cells());
-    FEValues<dim>               values(space.velocity_element, QGauss<dim>(2), update_gradients);
-    std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        values.reinit(cell);
-        values[FEValuesExtractors::Vector(0)].get_function_gradients(velocity, gradients);
-        const double h = space.get_cell_size(cell->level()).norm() / std::sqrt(dim);
-        for (const Tensor<2, dim> &gradient : gradients)
-          indicator[cell->active_cell_index()] = std::max<float>(
-              indicator[cell->active_cell_index()], h * compute_vorticity(gradient).norm());
-      }
-    return indicator;
-  }
-
-  template <int dim>
-  void VorticityPostprocessor<dim>::evaluate_vector_field(
-      const DataPostprocessorInputs::Vector<dim> &input,
-      std::vector<Vector<double>>                &quantities) const
-  {
-    for (unsigned int q = 0; q < quantities.size(); ++q)
-    {
-      Tensor<2, dim> gradient;
-      for (unsigned int d = 0; d < dim; ++d)
-        gradient[d] = input.solution_gradients[q][d];
-      const auto vorticity = compute_vorticity(gradient);
-      for (unsigned int d = 0; d < quantities[q].size(); ++d)
-        quantities[q][d] = vorticity[d];
-    }
-  }
-
-  template <int dim>
-  std::vector<std::string> VorticityPostprocessor<dim>::get_names() const
-  {
-    return std::vector<std::string>(dim == 2 ? 1 : 3, "vorticity");
-  }
-
-  template <int dim>
-  std::vector<DataComponentInterpretation::DataComponentInterpretation>
-  VorticityPostprocessor<dim>::get_data_component_interpretation() const
-  {
-    if (dim == 2)
-      return {DataComponentInterpretation::component_is_scalar};
-    return std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        3, DataComponentInterpretation::component_is_part_of_vector);
-  }
-
-  template <int dim>
-  UpdateFlags VorticityPostprocessor<dim>::get_needed_update_flags() const
-  {
-    return update_gradients;
-  }
-
 #define INSTANTIATE(dim)                                                                           \
   template struct FluidState<dim>;                                                                 \
-  template void             set_initial_velocity(const FluidSpace<dim> &, FluidState<dim> &);      \
   template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
   template double compute_stabilisation_dissipation(const FluidSpace<dim> &, const FieldVector &,  \
-                                                    double);                                       \
-  template ProbeValues<dim> evaluate_at(const FluidSpace<dim> &, const FluidState<dim> &,          \
-                                        const Point<dim> &);                                       \
-  template Vector<float>    compute_vorticity_indicator(const FluidSpace<dim> &,                   \
-                                                        const FieldVector &);                      \
-  template class VorticityPostprocessor<dim>;
+                                                    double);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
-#include <caudal/base/compatibility.h>
 #include <caudal/fluid/momentum_operator.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -18,51 +17,13 @@ namespace caudal
   {
     matrix.reinit(space.velocity_dofs, space.get_homogeneous_constraints());
     matrix_is_constant = false;
-    divergence_matrix.reinit(space, space.get_homogeneous_constraints());
+    divergence_matrix.reinit(space.pressure_dofs, space.velocity_dofs,
+                             space.get_homogeneous_constraints());
+    unsigned int index = 0;
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        divergence_matrix.set(index++, space.get_cell_matrices(cell->level()).get_divergence());
   }
-
-  namespace
-  {
-    /**
-     * Adds what the skew-symmetric form of the convection lacks on outflow
-     * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
-     * energy and may be left out (Braack & Mucha 2014, doi:10.4208/jcm.1405-m4347).
-     */
-    template <int dim>
-    void add_outflow_terms(const FluidSpace<dim>                                &space,
-                           const typename DoFHandler<dim>::active_cell_iterator &cell,
-                           const Vector<double> &transport, FullMatrix<double> &convection)
-    {
-      const FESystem<dim> &element = space.velocity_element;
-      const auto          &scalar  = element.base_element(0);
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            space.get_boundary_condition(cell->face(f)->boundary_id()).is_open())
-        {
-          const QGauss<dim - 1> face_quadrature(3);
-          const Quadrature<dim> quadrature =
-              compatibility::project_to_face<dim>(face_quadrature, f);
-          const double area = cell->face(f)->measure();
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            const Point<dim> &point           = quadrature.point(q);
-            double            normal_velocity = 0;
-            for (unsigned int s = 0; s < convection.m(); ++s)
-              normal_velocity += (f % 2 == 0 ? -1 : 1) *
-                                 transport[element.component_to_system_index(f / 2, s)] *
-                                 scalar.shape_value(s, point);
-            if (space.get_parameters().backflow_stabilisation)
-              normal_velocity = std::max(normal_velocity, 0.);
-            const double factor = 0.5 * space.get_parameters().density * normal_velocity * area *
-                                  face_quadrature.weight(q);
-            for (unsigned int i = 0; i < convection.m(); ++i)
-              for (unsigned int j = 0; j < convection.n(); ++j)
-                convection(i, j) +=
-                    factor * scalar.shape_value(i, point) * scalar.shape_value(j, point);
-          }
-        }
-    }
-  } // namespace
 
   namespace
   {
@@ -109,104 +70,133 @@ namespace caudal
       std::vector<unsigned int> index[dim];
       Vector<double>            input, output;
     };
-  } // namespace
 
-  /** What a cell contributes to matrix and residual of a step. */
-  template <int dim>
-  class MomentumOperator<dim>::CellAssembler
-  {
-  public:
-    using Cell = typename DoFHandler<dim>::active_cell_iterator;
-
-    CellAssembler(const FluidSpace<dim> &space, const MomentumStep &step)
-        : space(space)
-        , step(step)
-        , parameters(space.get_parameters())
-        , rate(step.weights.inertia / parameters.density)
-        , componentwise(space.velocity_element)
-        , values(space.velocity_element.n_dofs_per_cell())
-        , product(values.size())
-        , transport(values.size())
-        , pressures(space.pressure_element.n_dofs_per_cell())
-        , convection(values.size() / dim, values.size() / dim)
-        , body_force(space.get_body_force_loads(step.time))
+    /** What a cell contributes to matrix and residual of a step. */
+    template <int dim>
+    class CellAssembler
     {
-      for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
-      {
-        implicit_matrices.emplace_back(values.size(), values.size());
-        old_matrices.emplace_back(values.size(), values.size());
-        space.get_cell_matrices(level).get_momentum_matrix(step.weights, implicit_matrices.back());
-        space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
-      }
-    }
+    public:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-    /** residual -= the terms known from before; += pressure and body force */
-    void add_known_terms(const Cell &cell, const FieldVector &pressure, Vector<double> &residual)
-    {
-      const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
-      if (step.inertia_history != nullptr)
+      CellAssembler(const FluidSpace<dim> &space, const MomentumStep &step)
+          : space(space)
+          , step(step)
+          , parameters(space.get_parameters())
+          , rate(step.weights.inertia / parameters.density)
+          , componentwise(space.velocity_element)
+          , values(space.velocity_element.n_dofs_per_cell())
+          , product(values.size())
+          , transport(values.size())
+          , pressures(space.pressure_element.n_dofs_per_cell())
+          , convection(values.size() / dim, values.size() / dim)
+          , body_force(space.get_body_force_loads(step.time))
+          , face(space.velocity_element.base_element(0), QGauss<dim - 1>(3),
+                 update_values | update_JxW_values)
       {
-        cell->get_dof_values(*step.inertia_history, values);
-        componentwise.subtract(1, matrices.get_mass(), values, residual);
+        for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
+        {
+          implicit_matrices.emplace_back(values.size(), values.size());
+          old_matrices.emplace_back(values.size(), values.size());
+          space.get_cell_matrices(level).get_momentum_matrix(step.weights,
+                                                             implicit_matrices.back());
+          space.get_cell_matrices(level).get_momentum_matrix(step.old_weights, old_matrices.back());
+        }
       }
-      if (step.old_velocity != nullptr)
+
+      /** residual -= the terms known from before; += pressure and body force */
+      void add_known_terms(const Cell &cell, const FieldVector &pressure, Vector<double> &residual)
       {
-        cell->get_dof_values(*step.old_velocity, values);
-        old_matrices[cell->level()].vmult(product, values);
+        const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
+        if (step.inertia_history != nullptr)
+        {
+          cell->get_dof_values(*step.inertia_history, values);
+          componentwise.subtract(1, matrices.get_mass(), values, residual);
+        }
+        if (step.old_velocity != nullptr)
+        {
+          cell->get_dof_values(*step.old_velocity, values);
+          old_matrices[cell->level()].vmult(product, values);
+          residual -= product;
+        }
+        for (const auto &[old, weight] : step.old_convection)
+        {
+          cell->get_dof_values(*old, values);
+          compute_convection(cell, values);
+          componentwise.subtract(weight, convection, values, residual);
+        }
+        Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
+        matrices.get_divergence().Tvmult_add(residual, pressures);
+        if (!body_force.are_zero())
+        {
+          const auto loads = body_force.get(cell);
+          for (unsigned int i = 0; i < residual.size(); ++i)
+            residual[i] += loads[i];
+        }
+      }
+
+      /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
+      void subtract_implicit_terms(const Cell &cell, const FieldVector &velocity,
+                                   Vector<double> &residual, FullMatrix<double> &matrix)
+      {
+        matrix = implicit_matrices[cell->level()];
+        if (step.transport != nullptr)
+        {
+          cell->get_dof_values(*step.transport, transport);
+          compute_convection(cell, transport);
+          componentwise.add(convection, matrix);
+        }
+        cell->get_dof_values(velocity, values);
+        matrix.vmult(product, values);
         residual -= product;
       }
-      for (const auto &[old, weight] : step.old_convection)
-      {
-        cell->get_dof_values(*old, values);
-        compute_convection(cell, values);
-        componentwise.subtract(weight, convection, values, residual);
-      }
-      Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
-      matrices.get_divergence().Tvmult_add(residual, pressures);
-      if (!body_force.are_zero())
-      {
-        const auto loads = body_force.get(cell);
-        for (unsigned int i = 0; i < residual.size(); ++i)
-          residual[i] += loads[i];
-      }
-    }
 
-    /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
-    void subtract_implicit_terms(const Cell &cell, const FieldVector &velocity,
-                                 Vector<double> &residual, FullMatrix<double> &matrix)
-    {
-      matrix = implicit_matrices[cell->level()];
-      if (step.transport != nullptr)
+    private:
+      const FluidSpace<dim>          &space;
+      const MomentumStep             &step;
+      const FluidParameters<dim>     &parameters;
+      const double                    rate;
+      ComponentwiseProduct<dim>       componentwise;
+      Vector<double>                  values, product, transport, pressures;
+      FullMatrix<double>              convection;
+      std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
+      const BodyForceLoads<dim>      &body_force;
+      FEFaceValues<dim>               face; // of an outflow side
+
+      void compute_convection(const Cell &cell, const Vector<double> &velocity)
       {
-        cell->get_dof_values(*step.transport, transport);
-        compute_convection(cell, transport);
-        componentwise.add(convection, matrix);
+        space.get_cell_matrices(cell->level())
+            .get_convection_matrix(velocity, parameters.density,
+                                   parameters.convection_stabilisation, rate, convection);
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f) &&
+              space.get_boundary_condition(cell->face(f)->boundary_id()).is_open())
+            add_outflow_term(cell, f, velocity);
       }
-      cell->get_dof_values(velocity, values);
-      matrix.vmult(product, values);
-      residual -= product;
-    }
 
-  private:
-    const FluidSpace<dim>          &space;
-    const MomentumStep             &step;
-    const FluidParameters<dim>     &parameters;
-    const double                    rate;
-    ComponentwiseProduct<dim>       componentwise;
-    Vector<double>                  values, product, transport, pressures;
-    FullMatrix<double>              convection;
-    std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
-    const BodyForceLoads<dim>      &body_force;
-
-    void compute_convection(const Cell &cell, const Vector<double> &velocity)
-    {
-      space.get_cell_matrices(cell->level())
-          .get_convection_matrix(velocity, parameters.density, parameters.convection_stabilisation,
-                                 rate, convection);
-      if (cell->at_boundary())
-        add_outflow_terms(space, cell, velocity, convection);
-    }
-  };
+      /**
+       * Adds what the skew-symmetric form of the convection lacks on outflow
+       * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
+       * energy and may be left out (Braack & Mucha 2014, doi:10.4208/jcm.1405-m4347).
+       */
+      void add_outflow_term(const Cell &cell, const unsigned int f, const Vector<double> &velocity)
+      {
+        face.reinit(typename Triangulation<dim>::cell_iterator(cell), f);
+        for (const unsigned int q : face.quadrature_point_indices())
+        {
+          double flux = 0;
+          for (const unsigned int s : face.dof_indices())
+            flux += (f % 2 == 0 ? -1 : 1) * face.shape_value(s, q) *
+                    velocity[space.velocity_element.component_to_system_index(f / 2, s)];
+          if (parameters.backflow_stabilisation)
+            flux = std::max(flux, 0.);
+          for (const unsigned int i : face.dof_indices())
+            for (const unsigned int j : face.dof_indices())
+              convection(i, j) += 0.5 * parameters.density * flux * face.JxW(q) *
+                                  face.shape_value(i, q) * face.shape_value(j, q);
+        }
+      }
+    };
+  } // namespace
 
   template <int dim>
   FieldVector MomentumOperator<dim>::assemble(const MomentumStep &step, const FieldVector &velocity,
@@ -223,8 +213,8 @@ namespace caudal
     std::vector<types::global_dof_index> dofs(n);
     // A body force may fail on the cells of one rank only.
     const std::string error = catch_error([&]() {
-      CellAssembler assembler(space, step);
-      unsigned int  index = 0;
+      CellAssembler<dim> assembler(space, step);
+      unsigned int       index = 0;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {

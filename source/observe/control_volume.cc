@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/control_volume.h>
 
-#include <caudal/fluid/control_volume.h>
+#include <caudal/fluid/external_forces.h>
 
 #include <cmath>
 #include <limits>

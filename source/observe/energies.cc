@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/energies.h>
 
-#include <caudal/fluid/external_power.h>
+#include <caudal/fluid/external_forces.h>
 
 namespace caudal
 {

@@ -3,14 +3,40 @@
 
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace caudal
 {
   namespace
   {
+    /** The vorticity: a scalar in 2D, a vector in 3D [1/s]. */
+    template <int dim>
+    class Vorticity : public std::conditional_t<dim == 2, DataPostprocessorScalar<dim>,
+                                                DataPostprocessorVector<dim>>
+    {
+    public:
+      Vorticity()
+          : std::conditional_t<dim == 2, DataPostprocessorScalar<dim>,
+                               DataPostprocessorVector<dim>>("vorticity", update_gradients)
+      {}
+
+      void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &input,
+                                 std::vector<Vector<double>> &quantities) const override
+      {
+        for (unsigned int q = 0; q < quantities.size(); ++q)
+          for (unsigned int d = 0; d < quantities[q].size(); ++d)
+          {
+            const unsigned int i = dim == 2 ? 0 : (d + 1) % dim, j = dim == 2 ? 1 : (d + 2) % dim;
+            quantities[q][d] =
+                input.solution_gradients[q][j][i] - input.solution_gradients[q][i][j];
+          }
+      }
+    };
+
     /** Velocity, pressure and vorticity of the fluid, and of the bodies' motion and stresses. */
     template <int dim>
     class Fields : public Observer<dim>
@@ -76,10 +102,10 @@ namespace caudal
 
       void write_fluid(const Observation<dim> &observation, const unsigned int n_subdivisions)
       {
-        const FluidSpace<dim>            &space         = observation.space;
-        const auto                       &triangulation = space.get_triangulation();
-        const VorticityPostprocessor<dim> vorticity;
-        DataOut<dim>                      data_out;
+        const FluidSpace<dim> &space         = observation.space;
+        const auto            &triangulation = space.get_triangulation();
+        const Vorticity<dim>   vorticity;
+        DataOut<dim>           data_out;
         add_vector(data_out, space.velocity_dofs, observation.fluid.velocity, "velocity");
         data_out.add_data_vector(space.pressure_dofs, observation.fluid.pressure, "pressure");
         data_out.add_data_vector(space.velocity_dofs, observation.fluid.velocity, vorticity);
@@ -108,18 +134,16 @@ namespace caudal
         for (const auto &node : solid.get_nodes())
           for (unsigned int d = 0; d < dim; ++d)
             move[node[d]] -= solid.get_reference_point(node[0])[d];
-        const Vector<double>  muscle_force = compute_muscle_force_density(observation, observed);
-        const CellDeformation cells        = compute_cell_deformation(solid, state.positions);
+        const Vector<double> muscle_force = compute_muscle_force_density(observation, observed);
+        const auto           cell_means   = compute_cell_means(solid, state.positions);
 
         DataOut<dim> data_out;
         add_vector(data_out, dofs, displacement, "displacement");
         add_vector(data_out, dofs, state.velocity, "velocity");
         add_vector(data_out, dofs, muscle_force, "muscle_force");
         data_out.attach_triangulation(solid.get_triangulation());
-        data_out.add_data_vector(cells.jacobian, "J");
-        for (const auto &[name, values] : cells.cauchy_stress)
+        for (const auto &[name, values] : cell_means)
           data_out.add_data_vector(values, name);
-        data_out.add_data_vector(cells.region, "region");
         const MappingQEulerian<dim> mapping(dofs.get_fe().degree, dofs, move);
         data_out.build_patches(mapping, dofs.get_fe().degree, DataOut<dim>::curved_inner_cells);
         output->write(data_out, observed.body.get_name(), observation.time, n_outputs,

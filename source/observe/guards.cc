@@ -43,13 +43,12 @@ namespace caudal
       {
         for (const auto &body : observation.bodies)
           for (const auto &[name, guard] : guards)
-            if (guard->measure_body)
-              compare(*guard, guard->measure_body(observation, body),
-                      " of body " + body.body.get_name(), observation.time, context.log);
+            if (const auto *measure = std::get_if<BodyMeasure>(&guard->measure))
+              compare(*guard, (*measure)(observation, body), " of body " + body.body.get_name(),
+                      observation.time, context.log);
         for (const auto &[name, guard] : guards)
-          if (guard->measure)
-            compare(*guard, guard->measure(observation, context), "", observation.time,
-                    context.log);
+          if (const auto *measure = std::get_if<Measure>(&guard->measure))
+            compare(*guard, (*measure)(observation, context), "", observation.time, context.log);
       }
 
       void print_warnings(Log &log) const override
@@ -65,6 +64,9 @@ namespace caudal
       }
 
     private:
+      using BodyMeasure = typename Guard<dim>::BodyMeasure;
+      using Measure     = typename Guard<dim>::Measure;
+
       PluginList<Guard<dim>>              guards;
       std::map<std::string, unsigned int> counts; // steps, by what was measured
 

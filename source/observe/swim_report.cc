@@ -1,20 +1,74 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/swim_report.h>
 
+#include <caudal/base/json.h>
 #include <caudal/io/safe_file.h>
-#include <caudal/observe/swim_table.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <iomanip>
 #include <sstream>
 
 namespace caudal
 {
+  namespace
+  {
+    const int width = 14; // of a column
+
+    /** The quantities that are known for the swimmer: all, or those for which there is room. */
+    std::vector<TailBeatQuantity> get_quantities(const SwimmerConstants &swimmer,
+                                                 const bool              on_screen)
+    {
+      std::vector<TailBeatQuantity> known;
+      for (TailBeatQuantity quantity : get_tail_beat_quantities())
+        if ((quantity.is_on_screen || !on_screen) &&
+            (quantity.value != &TailBeat::fluid_force || swimmer.has_control_volume))
+        {
+          if (quantity.is_per_span && swimmer.is_per_span)
+            quantity.unit += "/m";
+          known.push_back(quantity);
+        }
+      return known;
+    }
+
+    std::string get_title(const TailBeatQuantity &quantity)
+    {
+      return quantity.symbol + (quantity.unit.empty() ? "" : "[" + quantity.unit + "]");
+    }
+
+    Json describe_beat(const std::vector<TailBeatQuantity> &quantities, const TailBeat &beat)
+    {
+      Json json = Json::object();
+      for (const TailBeatQuantity &quantity : quantities)
+        json.add(quantity.name, quantity.value == &TailBeat::steady ? Json(beat.steady > 0)
+                                                                    : beat.*quantity.value);
+      return json;
+    }
+
+    Json describe_constants(const SwimmerConstants &swimmer)
+    {
+      const std::string span = swimmer.is_per_span ? "/m" : "";
+      Json              json = Json::object();
+      const auto        add  = [&](const char *name, const char *symbol, const double value,
+                           const std::string &unit) {
+        json.add(name, Json::object().add("symbol", symbol).add("value", value).add("unit", unit));
+      };
+      add("length", "L", swimmer.length, "m");
+      add("mass", "m", swimmer.mass, "kg" + span);
+      add("kinematic viscosity", "nu", swimmer.viscosity, "m^2/s");
+      add("fluid density", "rho", swimmer.fluid_density, "kg/m^3");
+      add("area of both sides", "S", swimmer.wetted_area, "m^2" + span);
+      return json;
+    }
+  } // namespace
+
   SwimReport::SwimReport(const SwimmerConstants &swimmer, std::ostream &log,
                          const std::string &file)
       : swimmer(swimmer)
       , log(log)
       , file(file)
+      , in_file(get_quantities(swimmer, /*on_screen=*/false))
+      , on_screen(get_quantities(swimmer, /*on_screen=*/true))
       , detector(swimmer.minimum_amplitude * swimmer.length)
   {}
 
@@ -28,8 +82,8 @@ namespace caudal
     beats.push_back(
         compute_beat(swimmer, samples, *cycle, beats.empty() ? 0. : beats.back().speed));
     if (beats.size() == 1)
-      write_header(log, swimmer, SwimTable::screen);
-    write_row(log, swimmer, beats.size(), beats.back(), SwimTable::screen);
+      write_header(log, on_screen);
+    write_row(log, on_screen, beats.size() - 1);
     log << std::flush;
     write_files();
 
@@ -52,9 +106,17 @@ namespace caudal
       log << swimmer.name << ": no whole tail beat." << std::endl;
       return;
     }
-    const std::size_t n = std::max<std::size_t>(count_steady_beats(), 1);
-    write_summary(log, swimmer, compute_mean(swimmer, {beats.end() - n, beats.end()}), n,
-                  beats.size());
+    const std::size_t n    = std::max<std::size_t>(count_steady_beats(), 1);
+    const TailBeat    mean = compute_mean(swimmer, {beats.end() - n, beats.end()});
+    log << swimmer.name << ": mean of the last " << n << " of " << beats.size() << " tail beats, "
+        << (mean.steady > 0 ? "which are steady" : "not steady")
+        << (swimmer.is_per_span ? "; per metre of span\n" : "\n");
+    for (const TailBeatQuantity &quantity : in_file)
+      if (quantity.value != &TailBeat::start && quantity.value != &TailBeat::steady)
+        log << "  " << std::left << std::setw(28) << quantity.name << std::right << std::setw(14)
+            << std::fixed << std::setprecision(quantity.precision) << mean.*quantity.value << ' '
+            << std::left << std::setw(9) << quantity.unit << std::right << '\n';
+    log << std::defaultfloat << std::setprecision(6) << std::flush;
   }
 
   void SwimReport::resume() const
@@ -78,11 +140,66 @@ namespace caudal
     if (file.empty())
       return;
     std::ostringstream table, json;
-    write_header(table, swimmer, SwimTable::file);
-    for (std::size_t i = 0; i < beats.size(); ++i)
-      write_row(table, swimmer, i + 1, beats[i], SwimTable::file);
+    write_header(table, in_file);
+    for (std::size_t beat = 0; beat < beats.size(); ++beat)
+      write_row(table, in_file, beat);
     replace_file(file, table.str());
-    write_swim_json(json, swimmer, beats, count_steady_beats());
+    write_json(json);
     replace_file(get_json_file(), json.str());
+  }
+
+  /** What stands in front of the rows: the definitions of the columns and their titles. */
+  void SwimReport::write_header(std::ostream &out, const Quantities &quantities) const
+  {
+    out << "# Tail beats of " << swimmer.name;
+    if (swimmer.is_per_span)
+      out << "; forces, energies and masses are those of one metre of span";
+    out << "\n#\n";
+    for (const TailBeatQuantity &quantity : quantities)
+      out << "# " << std::left << std::setw(width + 1) << get_title(quantity) << std::right
+          << quantity.definition << '\n';
+    out << "#\n#beat";
+    for (const TailBeatQuantity &quantity : quantities)
+      out << ' ' << std::setw(width - 1) << get_title(quantity);
+    out << '\n';
+  }
+
+  void SwimReport::write_row(std::ostream &out, const Quantities &quantities,
+                             const std::size_t beat) const
+  {
+    out << std::setw(5) << beat + 1 << std::fixed;
+    for (const TailBeatQuantity &quantity : quantities)
+      out << ' ' << std::setw(width - 1) << std::setprecision(quantity.precision)
+          << beats[beat].*quantity.value;
+    out << std::defaultfloat << std::setprecision(6) << '\n';
+  }
+
+  /**
+   * The constants, for each quantity its symbol, unit and definition, the beats, and the mean of
+   * the last ones, which are steady (null if there are none). What is not finite, such as a
+   * Strouhal number without speed, is null.
+   */
+  void SwimReport::write_json(std::ostream &out) const
+  {
+    Json quantities = Json::object(), list = Json::array();
+    for (const TailBeatQuantity &quantity : in_file)
+      quantities.add(quantity.name, Json::object()
+                                        .add("symbol", quantity.symbol)
+                                        .add("unit", quantity.unit)
+                                        .add("definition", quantity.definition));
+    for (const TailBeat &beat : beats)
+      list.append(describe_beat(in_file, beat));
+    const std::vector<TailBeat> steady(beats.end() - count_steady_beats(), beats.end());
+    Json::object()
+        .add("body", swimmer.name)
+        .add("per metre of span", swimmer.is_per_span)
+        .add("constants", describe_constants(swimmer))
+        .add("quantities", quantities)
+        .add("beats", list)
+        .add("steady beats", steady.size())
+        .add("mean of steady beats",
+             steady.empty() ? Json() : describe_beat(in_file, compute_mean(swimmer, steady)))
+        .write(out);
+    out << '\n';
   }
 } // namespace caudal

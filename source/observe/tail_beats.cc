@@ -2,7 +2,6 @@
 #include <caudal/observe/tail_beats.h>
 
 #include <caudal/base/collective.h>
-#include <caudal/observe/body_forces.h>
 #include <caudal/observe/control_volume.h>
 #include <caudal/observe/energies.h>
 
@@ -32,7 +31,6 @@ namespace caudal
       swimmer.viscosity     = fluid.kinematic_viscosity;
       swimmer.fluid_density = fluid.density;
       swimmer.is_per_span   = dim == 2;
-      swimmer.wetted_area   = 0;
       for (const auto &face : body.get_solid().get_triangulation().active_face_iterators())
         if (face->at_boundary())
           swimmer.wetted_area += face->measure();
@@ -92,15 +90,14 @@ namespace caudal
   void TailBeats<dim>::observe_step(const Observation<dim>     &observation,
                                     const ObserverContext<dim> &context)
   {
-    const auto &forces = context.others.template get<BodyForces<dim>>();
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(context.communicator, [&]() {
       for (unsigned int b = 0; b < reports.size(); ++b)
         if (reports[b])
         {
-          const Tensor<1, dim> forward =
-              -observation.bodies[b].body.get_solid().get_initial_axis(0);
-          body_impulses[b] += observation.step * (forces.get_resultant(b) * forward);
+          const auto &[body, state, report] = observation.bodies[b];
+          const Tensor<1, dim> forward      = -body.get_solid().get_initial_axis(0);
+          body_impulses[b] += observation.step * (body.get_resultant(state) * forward);
           reports[b]->add(take_sample(observation, context, b));
         }
     });

@@ -140,7 +140,7 @@ namespace caudal
   {
     Vector<double> force(solid.n_dofs());
     for (const auto &load : loads)
-      if (load->get_account() == account)
+      if (load->account == account)
         load->add(motion, force, nullptr);
     return force;
   }
@@ -152,7 +152,7 @@ namespace caudal
     std::map<LoadAccount, Vector<double>> forces;
     for (const auto &load : loads)
     {
-      Vector<double> &force = forces[load->get_account()];
+      Vector<double> &force = forces[load->account];
       if (force.size() == 0)
         force.reinit(solid.n_dofs());
       load->add(motion, force, response);

@@ -33,8 +33,30 @@ namespace caudal
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(communicator) == 1,
                 ExcMessage("Model: the elastic model runs on one rank. Start it without mpirun."));
-    weight = solid.compute_moments([&](const Point<dim> &) { return parameters.gravity; });
-    weight *= solid.get_excess_density();
+    Vector<double> gravity(solid.n_dofs());
+    for (const auto &node : solid.get_nodes())
+      set_value(gravity, node, solid.get_excess_density() * parameters.gravity);
+    solid.get_mass_matrix().vmult(weight, gravity);
+  }
+
+  template <int dim>
+  void ElasticBody<dim>::start()
+  {
+    if (parameters.is_static)
+      return;
+    acceleration = weight;
+    solid.apply_inverse_mass(acceleration);
+    acceleration /= solid.get_excess_density();
+    for (unsigned int i = 0; i < solid.n_dofs(); ++i)
+      if (solid.is_fixed(i))
+        acceleration[i] = 0;
+  }
+
+  template <int dim>
+  void ElasticBody<dim>::check(std::ostream &out, bool /*fast*/) const
+  {
+    print_summary(out);
+    out << "No problems found.\n";
   }
 
   template <int dim>
@@ -127,11 +149,11 @@ namespace caudal
       for (unsigned int d = 0; d < dim; ++d)
         statistics.set(prefix + "xyz"[d] + " of point " + std::to_string(k + 1), "m",
                        solid.evaluate(positions, k)[d]);
-    Vector<double> momentum(solid.n_dofs()), displacement(positions);
-    solid.get_mass_matrix().vmult(momentum, velocity);
+    Vector<double> displacement(positions);
     displacement -= solid.get_initial_positions();
     statistics.set(prefix + "kinetic energy", get_extensive_unit<dim>("J"),
-                   0.5 * solid.get_excess_density() * (momentum * velocity));
+                   0.5 * solid.get_excess_density() *
+                       solid.get_mass_matrix().matrix_norm_square(velocity));
     statistics.set(prefix + "elastic energy", get_extensive_unit<dim>("J"), shape.elastic_energy);
     statistics.set(prefix + "work of gravity", get_extensive_unit<dim>("J"), weight * displacement);
     statistics.set(prefix + "min J", "", shape.smallest_jacobian);
@@ -149,17 +171,7 @@ namespace caudal
                       is_terminal());
     const double n_steps = std::ceil(parameters.end_time / parameters.step * (1 - 1e-9));
     const double step    = parameters.end_time / n_steps;
-    // The weight acts from t = 0 on.
-    if (!parameters.is_static)
-    {
-      acceleration = weight;
-      solid.apply_inverse_mass(acceleration);
-      acceleration /= solid.get_excess_density();
-      for (unsigned int i = 0; i < solid.n_dofs(); ++i)
-        if (solid.is_fixed(i))
-          acceleration[i] = 0;
-    }
-    unsigned int n = 0;
+    unsigned int n       = 0;
     while (n < n_steps && !stop_requested())
     {
       ++n;

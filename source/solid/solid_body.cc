@@ -84,29 +84,23 @@ namespace caudal
   template <int dim>
   void SolidBody<dim>::set_up_quadrature()
   {
-    const QGauss<dim>  quadrature(element.degree + 1);
-    const unsigned int n_scalar = element.n_dofs_per_cell() / dim;
-    FEValues<dim>      values(element.base_element(0), quadrature,
-                              update_values | update_gradients | update_quadrature_points |
-                                  update_JxW_values);
-    QuadratureData    &data = quadrature_data;
-    data.n_q                = quadrature.size();
-    data.shape_values.assign(data.n_q, std::vector<double>(n_scalar));
+    FEValues<dim> values(element.base_element(0), QGauss<dim>(element.degree + 1),
+                         update_values | update_gradients | update_quadrature_points |
+                             update_JxW_values);
     for (const auto &cell : triangulation.active_cell_iterators())
     {
       values.reinit(cell);
-      for (unsigned int q = 0; q < data.n_q; ++q)
+      quadrature_points.emplace_back();
+      for (const unsigned int q : values.quadrature_point_indices())
       {
-        std::vector<Tensor<1, dim>> gradients(n_scalar);
-        for (unsigned int a = 0; a < n_scalar; ++a)
+        QuadraturePoint point{values.quadrature_point(q), values.JxW(q), {}, {}};
+        for (const unsigned int a : values.dof_indices())
         {
-          data.shape_values[q][a] = values.shape_value(a, q);
-          gradients[a]            = values.shape_grad(a, q);
+          point.values.push_back(values.shape_value(a, q));
+          point.gradients.push_back(values.shape_grad(a, q));
         }
-        data.shape_gradients.push_back(gradients);
-        data.points.push_back(values.quadrature_point(q));
-        data.weights.push_back(values.JxW(q));
-        reference_volume += values.JxW(q);
+        quadrature_points.back().push_back(point);
+        reference_volume += point.weight;
       }
     }
   }
@@ -127,10 +121,7 @@ namespace caudal
     {
       cell->get_dof_indices(dofs);
       const RegionParameters<dim> &region = *parameters.region_parameters[cell->material_id()];
-      for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
-      {
-        const double weight =
-            quadrature_data.weights[cell->active_cell_index() * quadrature_data.n_q + q];
+      for (const QuadraturePoint &point : quadrature_points[cell->active_cell_index()])
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
           {
@@ -138,8 +129,7 @@ namespace caudal
             const auto [component_j, b] = element.system_to_component_index(j);
             if (component_i != component_j)
               continue;
-            const double product =
-                weight * quadrature_data.shape_values[q][a] * quadrature_data.shape_values[q][b];
+            const double product = point.weight * point.values[a] * point.values[b];
             mass.add(dofs[i], dofs[j], product);
             if (region.feedback_directions.find("xyz"[component_i]) != std::string::npos)
             {
@@ -147,7 +137,6 @@ namespace caudal
               feedback_damping.add(dofs[i], dofs[j], region.feedback_damping * product);
             }
           }
-      }
     }
     inverse_mass.initialize(mass);
     Vector<double> ones(n_dofs());
@@ -160,25 +149,8 @@ namespace caudal
   unsigned int SolidBody<dim>::add_point(const Point<dim> &point, const std::string &path)
   {
     // Points on the boundary count as inside, also where round-off moves them out.
-    const MappingQ1<dim> mapping;
-    auto                 cell = dof_handler.end();
-    Point<dim>           unit_point;
-    for (const auto &candidate : dof_handler.active_cell_iterators())
-      if (candidate->bounding_box().point_inside(point, 1e-3))
-        try
-        {
-          const Point<dim> p = mapping.transform_real_to_unit_cell(candidate, point);
-          if (GeometryInfo<dim>::is_inside_unit_cell(p, 0.05) &&
-              (cell == dof_handler.end() ||
-               GeometryInfo<dim>::distance_to_unit_cell(p) <
-                   GeometryInfo<dim>::distance_to_unit_cell(unit_point)))
-          {
-            cell       = candidate;
-            unit_point = p;
-          }
-        }
-        catch (const typename Mapping<dim>::ExcTransformationFailed &)
-        {} // a point far outside of this cell
+    const auto [cell, unit_point] = GridTools::find_active_cell_around_point(
+        MappingQ1<dim>(), dof_handler, point, {}, /*tolerance=*/0.05);
     std::ostringstream text;
     text << point;
     AssertThrow(cell != dof_handler.end(),
@@ -210,31 +182,6 @@ namespace caudal
   Tensor<1, dim> SolidBody<dim>::get_initial_axis(const unsigned int d) const
   {
     return rotate_to_domain(Point<dim>::unit_vector(d));
-  }
-
-  template <int dim>
-  Vector<double> SolidBody<dim>::compute_moments(
-      const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const
-  {
-    Vector<double>                       moments(n_dofs());
-    const unsigned int                   n = element.n_dofs_per_cell();
-    std::vector<types::global_dof_index> dofs(n);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-    {
-      cell->get_dof_indices(dofs);
-      for (unsigned int q = 0; q < quadrature_data.n_q; ++q)
-      {
-        const unsigned int   point = cell->active_cell_index() * quadrature_data.n_q + q;
-        const Tensor<1, dim> value = function(quadrature_data.points[point]);
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto [component, a] = element.system_to_component_index(i);
-          moments[dofs[i]] += quadrature_data.weights[point] * quadrature_data.shape_values[q][a] *
-                              value[component];
-        }
-      }
-    }
-    return moments;
   }
 
   template <int dim>

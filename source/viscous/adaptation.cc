@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/compatibility.h>
+#include <caudal/base/expression.h>
 #include <caudal/fluid/fluid_snapshot.h>
 #include <caudal/viscous/adaptation.h>
 #include <caudal/viscous/step_parts.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 namespace caudal
 {
@@ -18,13 +23,33 @@ namespace caudal
       {
         // Where the body is now and where it will be in a step or two.
         Vector<double> next(states[b].positions);
-        next *= 2;
-        next -= states[b].old_positions;
+        next.sadd(2, -1, states[b].old_positions);
         const SolidBody<dim> &solid = operators.bodies[b]->get_solid();
         cells.add(solid.compute_cell_boxes(states[b].positions), reach);
         cells.add(solid.compute_cell_boxes(next), reach);
       }
       return cells;
+    }
+
+    /** Largest h |vorticity| of each active cell of this rank, h the cell's edge [m/s]. */
+    template <int dim>
+    Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
+                                              const FieldVector     &velocity)
+    {
+      Vector<float> indicator(space.get_triangulation().n_active_cells());
+      FEValues<dim> values(space.velocity_element, QGauss<dim>(2), update_gradients);
+      std::vector<Tensor<1, dim == 2 ? 1 : 3>> vorticities(values.n_quadrature_points);
+      for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          values[FEValuesExtractors::Vector(0)].get_function_curls(velocity, vorticities);
+          const double h = space.get_cell_size(cell->level()).norm() / std::sqrt(dim);
+          for (const auto &vorticity : vorticities)
+            indicator[cell->active_cell_index()] =
+                std::max<float>(indicator[cell->active_cell_index()], h * vorticity.norm());
+        }
+      return indicator;
     }
 
     /** Flags cells for the fields of @p velocity; returns whether the grid is to be changed. */
@@ -54,6 +79,18 @@ namespace caudal
         cell->clear_refine_flag();
         cell->clear_coarsen_flag();
       }
+    }
+
+    /** The nodal interpolant of the initial velocity of the .prm. */
+    template <int dim>
+    void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state)
+    {
+      VectorTools::interpolate(
+          space.velocity_dofs,
+          Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
+          state.velocity);
+      space.get_constraints(0).distribute(state.velocity);
+      state.update_ghost_values();
     }
 
     /** Changes the grid by its flags, and interpolates the state's fields. */
@@ -191,9 +228,7 @@ namespace caudal
 
     const auto after             = summarise_flow(operators.space, state.fluid.velocity);
     report.kinetic_energy_change = after.kinetic_energy - before.kinetic_energy;
-    double mass                  = operators.parameters.fluid.density;
-    for (unsigned int d = 0; d < dim; ++d)
-      mass *= operators.parameters.domain.size[d];
+    const double mass      = operators.parameters.fluid.density * operators.get_domain().volume();
     report.momentum_change = (after.momentum - before.momentum).norm() /
                              std::max(mass * before.largest_velocity, 1e-300);
     return report;

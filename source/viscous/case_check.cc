@@ -37,21 +37,6 @@ namespace caudal
       text << std::setprecision(3) << value;
       return text.str();
     }
-
-    /** The fastest of the elastic waves in the body [m/s]. */
-    template <int dim>
-    double get_wave_speed(const SolidParameters<dim> &solid, const double density)
-    {
-      double stiffness = 0;
-      for (unsigned int r = 0; r < solid.regions.size(); ++r)
-      {
-        const RegionParameters<dim> &region = *solid.region_parameters[r];
-        stiffness =
-            std::max(stiffness, region.cell_volume_stabilisation +
-                                    region.material.get_wave_modulus(solid.get_region_path(r)));
-      }
-      return std::sqrt(stiffness / density);
-    }
   } // namespace
 
   template <int dim>
@@ -66,35 +51,36 @@ namespace caudal
   }
 
   template <int dim>
-  typename CaseCheck<dim>::BodyOnGrid CaseCheck<dim>::describe_body(const Body<dim> &swimmer) const
+  typename CaseCheck<dim>::BodyOnGrid CaseCheck<dim>::describe_body(const Body<dim> &body) const
   {
-    const SolidBody<dim> &solid   = swimmer.get_solid();
-    const double          density = parameters.fluid.density + solid.get_excess_density();
+    const SolidBody<dim>       &solid   = body.get_solid();
+    const SolidParameters<dim> &entries = solid.get_parameters();
+    const double                density = parameters.fluid.density + solid.get_excess_density();
     const double volume = solid.get_reference_volume() / solid.get_triangulation().n_active_cells();
 
-    BodyOnGrid body;
-    body.path      = "Body " + swimmer.get_name();
-    body.regions   = solid.get_parameters().regions;
-    body.swims     = swimmer.swims() && swimmer.counts_from_nose();
-    body.length    = swimmer.get_length();
-    body.thickness = compute_extent(solid.get_triangulation()).region_thickness;
-    body.spacing_ratio =
-        std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree / cell_size;
-    body.beat_frequency = swimmer.get_beat_frequency();
-    body.wave_speed     = get_wave_speed(solid.get_parameters(), density);
-    for (const auto &region : solid.get_parameters().region_parameters)
-      body.spring_frequency =
-          std::max(body.spring_frequency, std::sqrt(region->feedback_stiffness / density));
-    measure_room(solid, body);
-    return body;
+    BodyOnGrid result{body, entries.get_path(),
+                      compute_extent(solid.get_triangulation()).region_thickness};
+    result.spacing_ratio = std::pow(volume, 1. / dim) / entries.polynomial_degree / cell_size;
+    for (unsigned int r = 0; r < entries.regions.size(); ++r)
+    {
+      const RegionParameters<dim> &region  = *entries.region_parameters[r];
+      const double                 modulus = region.cell_volume_stabilisation +
+                             region.material.get_wave_modulus(entries.get_region_path(r));
+      result.wave_speed = std::max(result.wave_speed, std::sqrt(modulus / density));
+      result.spring_frequency =
+          std::max(result.spring_frequency, std::sqrt(region.feedback_stiffness / density));
+    }
+    measure_room(result);
+    return result;
   }
 
   template <int dim>
-  void CaseCheck<dim>::measure_room(const SolidBody<dim> &solid, BodyOnGrid &body) const
+  void CaseCheck<dim>::measure_room(BodyOnGrid &body) const
   {
-    const Point<dim>     lower   = parameters.domain.lower_corner;
-    const Point<dim>     upper   = lower + parameters.domain.size;
-    const Tensor<1, dim> forward = -solid.get_initial_axis(0);
+    const SolidBody<dim> &solid   = body.body.get_solid();
+    const Point<dim>      lower   = parameters.domain.lower_corner;
+    const Point<dim>      upper   = lower + parameters.domain.size;
+    const Tensor<1, dim>  forward = -solid.get_initial_axis(0);
     body.nearest_side = body.room_ahead = std::numeric_limits<double>::infinity();
     for (const auto &node : solid.get_nodes())
       for (unsigned int d = 0; d < dim; ++d)
@@ -130,15 +116,15 @@ namespace caudal
     {
       out << body.path << ": its nodes are " << print(body.spacing_ratio)
           << " of the fluid's finest cells apart; thickness of";
-      for (unsigned int r = 0; r < body.regions.size(); ++r)
+      for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
-        out << (r > 0 ? ", " : " ") << body.regions[r] << ' ' << print(body.thickness[r])
+        out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' ' << print(body.thickness[r])
             << " m = " << print(body.thickness[r] / cell_size) << " cells";
         if (kernel_width > 0)
           out << " = " << print(body.thickness[r] / kernel_width) << " kernel widths";
       }
       out << ".\n";
-      if (body.swims)
+      if (body.swims())
         out << body.path << ": " << print(body.room_ahead) << " m of room ahead, enough for "
             << print(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";
     }
@@ -192,9 +178,9 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
-      for (unsigned int r = 0; r < body.regions.size(); ++r)
+      for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
-        const std::string region = body.path + ": region " + body.regions[r] + " is " +
+        const std::string region = body.path + ": region " + body.get_regions()[r] + " is " +
                                    print(body.thickness[r]) + " m thick at its thinnest, ";
         if (body.thickness[r] < kernel_width)
           warnings.push_back(
@@ -224,21 +210,21 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
-      if (!body.swims)
+      if (!body.swims())
         continue;
-      if (body.nearest_side < body.length)
+      if (body.nearest_side < body.body.get_length())
         warnings.push_back(body.path + "/Shape/Position: a side of the domain is " +
                            print(body.nearest_side) + " m away, less than a body length (" +
-                           print(body.length) +
+                           print(body.body.get_length()) +
                            " m): the body feels it. Move the body or change Domain/Size.");
-      const double distance =
-          lengths_per_beat * body.length * body.beat_frequency * parameters.time.end_time;
+      const double distance = lengths_per_beat * body.body.get_length() *
+                              body.body.get_beat_frequency() * parameters.time.end_time;
       if (distance > body.room_ahead)
         warnings.push_back("Time/End time: at " + print(lengths_per_beat) + " lengths a beat " +
                            body.path + " swims " + print(distance) + " m, and there are " +
                            print(body.room_ahead) +
                            " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
-      if (body.beat_frequency * parameters.time.step > 0.02)
+      if (body.body.get_beat_frequency() * parameters.time.step > 0.02)
         warnings.push_back("Time/Step: " + print(parameters.time.step) +
                            " s are less than 50 steps a beat of " + body.path +
                            ". Give a smaller step.");
@@ -250,7 +236,7 @@ namespace caudal
   {
     const RefinementParameters &refinement = parameters.refinement;
     if (std::none_of(bodies.begin(), bodies.end(),
-                     [](const BodyOnGrid &body) { return body.swims; }))
+                     [](const BodyOnGrid &body) { return body.swims(); }))
       return;
     if (refinement.vorticity_threshold == 0)
       warnings.push_back("Refinement/Vorticity threshold is 0: the grid does not follow the wake. "

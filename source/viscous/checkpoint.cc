@@ -2,6 +2,8 @@
 #include <caudal/base/archive.h>
 #include <caudal/viscous/checkpoint.h>
 
+#include <boost/serialization/utility.hpp>
+
 namespace caudal
 {
   namespace
@@ -11,17 +13,7 @@ namespace caudal
                       solver_part = "what the solver has learnt";
 
     /** The bodies' states, and their initial positions, by which they are recognised. */
-    struct ArchivedBodies
-    {
-      std::vector<Vector<double>> initial_positions;
-      std::vector<BodyState>      states;
-
-      template <class Archive>
-      void serialize(Archive &archive, unsigned int /*version*/)
-      {
-        archive &initial_positions &states;
-      }
-    };
+    using ArchivedBodies = std::vector<std::pair<BodyState, Vector<double>>>;
 
     /** The solver's memory, but for the transport velocity of its linearisation. */
     struct ArchivedSolver
@@ -46,9 +38,10 @@ namespace caudal
     checkpoint.step_number = state.time.get_step_number();
     checkpoint.time        = state.time.get_time();
 
-    ArchivedBodies bodies{{}, state.bodies};
-    for (const auto &body : operators.bodies)
-      bodies.initial_positions.push_back(body->get_solid().get_initial_positions());
+    ArchivedBodies bodies;
+    for (unsigned int b = 0; b < state.bodies.size(); ++b)
+      bodies.emplace_back(state.bodies[b],
+                          operators.bodies[b]->get_solid().get_initial_positions());
     ArchivedSolver                   solver;
     std::vector<const FieldVector *> velocities{&state.fluid.velocity, &state.fluid.old_velocity};
     solver.memory = state.solver;
@@ -78,8 +71,10 @@ namespace caudal
     unpack(checkpoint.parts.at(solver_part), solver);
     state.time.resume();
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
-      operators.bodies[b]->check_state(bodies.states[b], bodies.initial_positions[b]);
-    state.bodies = bodies.states;
+    {
+      operators.bodies[b]->check_state(bodies[b].first, bodies[b].second);
+      state.bodies.push_back(bodies[b].first);
+    }
     state.solver = solver.memory;
 
     restore_grid(checkpoint.fluid, operators.parameters.domain, operators.triangulation);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/base/compatibility.h>
 #include <caudal/linear/conjugate_residuals.h>
 #include <caudal/viscous/coupled_solver.h>
@@ -9,6 +10,36 @@
 
 namespace caudal
 {
+  void SolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Tolerance", tolerance,
+                      "Residual of the linear system of a step relative to the forces in it [1].");
+    prm.add_parameter(
+        "Largest number of iterations", largest_number_of_iterations,
+        "Iterations after which an old factorisation is renewed, and after which a step "
+        "with a new one has failed [1].",
+        Patterns::Integer(2));
+    prm.add_parameter(
+        "Augmentation", augmentation,
+        "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
+        "the smallest length of the domain: larger means fewer iterations and larger "
+        "round-off [1].");
+    prm.add_parameter(
+        "Reuse factorisation", reuse,
+        "automatic: reuse an old factorisation as preconditioner while that is cheaper; "
+        "never: factorise in each step.",
+        Patterns::Selection("automatic|never"));
+    prm.leave_subsection();
+  }
+
+  void SolverParameters::check() const
+  {
+    check_value(tolerance > 0 && tolerance < 1e-2, "Solver/Tolerance", tolerance,
+                "Give a number between 0 and 0.01.");
+    check_positive("Solver/Augmentation", augmentation, "Give a positive number, 1e3 for example.");
+  }
+
   namespace
   {
     /**
@@ -55,7 +86,7 @@ namespace caudal
         rest.collect_sizes();
         FieldVector gradient;
         gradient.reinit(rest.block(0));
-        momentum.get_divergence_matrix().Tvmult(gradient, pressure);
+        momentum.get_divergence_matrix().Tvmult_add(gradient, pressure);
         rest.block(0) -= gradient;
         direct_solver.solve(rest);
 
@@ -136,21 +167,6 @@ namespace caudal
   }
 
   template <int dim>
-  unsigned int CoupledSolver<dim>::count_affordable_iterations(const SolverMemory &memory) const
-  {
-    return memory.exact_iterations +
-           static_cast<unsigned int>(relative_speed * direct_solver.get_factorisation_cost());
-  }
-
-  template <int dim>
-  bool CoupledSolver<dim>::should_factorise(const SolverMemory &memory,
-                                            const bool          matrix_changed) const
-  {
-    return memory.linearisation == nullptr ||
-           (matrix_changed && (parameters.reuse == "never" || memory.steps_until_reuse > 0));
-  }
-
-  template <int dim>
   void CoupledSolver<dim>::factorise(const CoupledEquations<dim>                &equations,
                                      const std::shared_ptr<const Linearisation> &point) const
   {
@@ -210,11 +226,18 @@ namespace caudal
     const unsigned int n_possible = parameters.largest_number_of_iterations;
     const bool         matrix_changed =
         !memory.linearisation || !memory.linearisation->has_same_matrix(*point);
-    const bool      reuses = !should_factorise(memory, matrix_changed);
+    const auto pauses = [&]() {
+      return parameters.reuse == "never" || memory.steps_until_reuse > 0;
+    };
+    const bool      reuses = memory.linearisation && !(matrix_changed && pauses());
     IterationResult result;
     if (reuses)
     {
-      result = iterate(matrix_changed ? count_affordable_iterations(memory) : n_possible);
+      // Iterations with an old factorisation that cost as much as a new one.
+      const unsigned int n_affordable =
+          memory.exact_iterations +
+          static_cast<unsigned int>(relative_speed * direct_solver.get_factorisation_cost());
+      result = iterate(matrix_changed ? n_affordable : n_possible);
       if (matrix_changed)
         update_reuse_policy(memory, result.converged);
     }
@@ -230,7 +253,7 @@ namespace caudal
     if (!result.converged)
       throw SolverControl::NoConvergence(n_possible + 1, result.residual);
     // What no step will reuse need not be remembered.
-    if (point->has_transport() && (parameters.reuse == "never" || memory.steps_until_reuse > 0))
+    if (point->has_transport() && pauses())
       memory.linearisation.reset();
     return {equations.extract_correction(solution), result.n_iterations};
   }

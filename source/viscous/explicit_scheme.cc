@@ -38,8 +38,8 @@ namespace caudal
           forces.clear();
           for (unsigned int b = 0; b < operators.bodies.size(); ++b)
           {
-            const Vector<double> middle =
-                get_mean(state.bodies[b].positions, step.state.bodies[b].positions);
+            Vector<double> middle = state.bodies[b].positions;
+            middle.sadd(0.5, 0.5, step.state.bodies[b].positions);
             const double time = state.time.get_time() + 0.5 * dt;
             interactions.push_back(operators.compute_interaction(b, middle, time + 0.5 * dt));
             TimerOutput::Scope timer_section(operators.timer, "assemble body");
@@ -48,16 +48,11 @@ namespace caudal
             step.state.bodies[b].force_density =
                 compute_force_density(*operators.bodies[b], forces[b]);
           }
-          const FluidSolution solution =
-              advance_fluid(operators, state, dt, convecting, interactions, point, step.state);
-          step.report.iterations += solution.n_iterations;
-          step.state.fluid = {solution.velocity, state.fluid.velocity, solution.pressure};
-          step.state.fluid.update_ghost_values();
+          advance_fluid(operators, state, dt, convecting, interactions, point, step);
           for (unsigned int b = 0; b < operators.bodies.size(); ++b)
             move_body(*operators.bodies[b], state, b, interactions[b], dt, step.state);
           convecting = step.state.fluid.velocity;
-          convecting += state.fluid.velocity;
-          convecting *= 0.5;
+          convecting.sadd(0.5, 0.5, state.fluid.velocity);
           convecting.update_ghost_values();
         }
 
@@ -99,14 +94,6 @@ namespace caudal
         return next;
       }
 
-      static Vector<double> get_mean(const Vector<double> &a, const Vector<double> &b)
-      {
-        Vector<double> mean(a);
-        mean += b;
-        mean *= 0.5;
-        return mean;
-      }
-
       /** Phi = M_s^-1 b */
       static Vector<double> compute_force_density(const Body<dim> &body, const BodyForces &forces)
       {
@@ -117,15 +104,14 @@ namespace caudal
         return density;
       }
 
-      /** The fluid at the end of the step, under the forces of the bodies of @p next. */
-      static FluidSolution advance_fluid(const Operators<dim> &operators, const State<dim> &state,
-                                         const double dt, const FieldVector &convecting,
-                                         const std::vector<InteractionOperator<dim>> &interactions,
-                                         const std::shared_ptr<const Linearisation>  &point,
-                                         State<dim>                                  &next)
+      /** Brings the fluid to the end of the @p step, under the forces of the bodies there. */
+      static void advance_fluid(const Operators<dim> &operators, const State<dim> &state,
+                                const double dt, const FieldVector &convecting,
+                                const std::vector<InteractionOperator<dim>> &interactions,
+                                const std::shared_ptr<const Linearisation> &point, Step<dim> &step)
       {
         const FluidState<dim> &fluid = state.fluid;
-        FluidGuess             guess{fluid.velocity, fluid.pressure};
+        CoupledUnknowns        guess{fluid.velocity, fluid.pressure, {}};
         operators.space.get_constraints(state.time.get_time() + dt).distribute(guess.velocity);
         FieldVector history = fluid.velocity;
         history *= -operators.parameters.fluid.density / dt;
@@ -147,18 +133,15 @@ namespace caudal
           momentum.old_convection = {{&fluid.velocity, 1 + ratio}, {&fluid.old_velocity, -ratio}};
         }
 
-        std::vector<Vector<double>> force_densities;
-        for (const BodyState &body : next.bodies)
-          force_densities.push_back(body.force_density);
         CoupledUnknowns residual;
         {
           TimerOutput::Scope timer_section(operators.timer, "assemble fluid");
           residual.velocity = operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
         }
         const double force_scale =
-            apply_bodies_to_fluid(interactions, force_densities, residual.velocity);
-        return solve_and_correct(operators, guess, std::move(residual), {}, point, force_scale,
-                                 next.solver);
+            apply_bodies_to_fluid(interactions, step.state.bodies, residual.velocity);
+        solve_and_correct(operators, state, guess, std::move(residual), {}, point, force_scale,
+                          step);
       }
 
       /** X^{n+1} = X^n + dt M_s^-1 G (u^n + u^{n+1})/2 */

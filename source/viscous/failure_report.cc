@@ -23,7 +23,6 @@ namespace caudal
     template <int dim>
     Extreme<dim> find_smallest_jacobian(const SolidBody<dim> &solid, const Vector<double> &x)
     {
-      const auto  &data = solid.get_quadrature_data();
       Extreme<dim> smallest;
       smallest.value = std::numeric_limits<double>::max();
       for (const auto &cell : solid.get_dof_handler().active_cell_iterators())
@@ -32,10 +31,9 @@ namespace caudal
         Point<dim> mean;
         for (const Point<dim> &node : nodes)
           mean += node / static_cast<double>(nodes.size());
-        for (unsigned int q = 0; q < data.n_q; ++q)
+        for (const auto &point : solid.get_quadrature_points(cell->active_cell_index()))
         {
-          const double J = determinant(compute_deformation_gradient(
-              nodes, data.shape_gradients[cell->active_cell_index() * data.n_q + q]));
+          const double J = determinant(compute_deformation_gradient(nodes, point.gradients));
           if (!(J >= smallest.value))
             smallest = {J, cell->active_cell_index(), mean};
         }
@@ -87,26 +85,6 @@ namespace caudal
       }
       return nearest;
     }
-
-    std::string get_advice(const StepFailure::Kind kind)
-    {
-      switch (kind)
-      {
-      case StepFailure::Kind::no_convergence:
-        return "Likely the forces on a body change too much within a step, or the tolerance is "
-               "below the round-off: reduce Time/Step (or set Time/Adaptive), soften the feedback "
-               "springs, or increase Solver/Tolerance or Solver/Largest number of iterations.";
-      case StepFailure::Kind::inverted_element:
-        return "Likely the body is pushed together there faster than the step or its elements "
-               "resolve: reduce Time/Step, the force of the muscle, or increase Body/Region/"
-               "Volumetric stabilisation; a finer fluid grid (Domain/Levels) keeps volumes better.";
-      case StepFailure::Kind::not_finite:
-        return "Likely the flow or a force grew without bound: reduce Time/Step, look at the "
-               "forces and at the inflow that the parameters prescribe, and at the last rows of "
-               "statistics.txt.";
-      }
-      return "";
-    }
   } // namespace
 
   template <int dim>
@@ -115,7 +93,7 @@ namespace caudal
   {
     std::ostringstream text;
     const Extreme<dim> flow = find_fastest_flow(operators.space, state.fluid.velocity);
-    text << get_advice(failure.kind) << " Where to look: the fastest flow of the last good state, "
+    text << failure.advice << " Where to look: the fastest flow of the last good state, "
          << flow.value << " m/s, is in the cell at (" << flow.place << ") m";
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
     {

@@ -23,33 +23,26 @@ namespace caudal
         recall_factorisation(operators, state.solver);
         const TimeWeights weights = state.time.get_weights(dt);
 
-        const auto point = std::make_shared<const Linearisation>(
-            predict(operators, state, weights, dt, command_muscles(operators, state, dt)));
-        const FluidGuess            guess  = make_guess(operators, state, *point);
+        const auto point =
+            std::make_shared<const Linearisation>(predict(operators, state, weights, dt));
+        const CoupledUnknowns       guess  = make_guess(operators, state, *point);
         const LinearisedBodies<dim> bodies = linearise_bodies(operators, *point);
 
-        std::vector<Vector<double>> force_densities; // the first guess
-        for (const BodyState &body : state.bodies)
-          force_densities.push_back(body.force_density);
         CoupledUnknowns residual;
         residual.velocity = compute_momentum_residual(operators, state, weights, *point, guess);
-        const double force_scale =
-            apply_bodies_to_fluid(bodies.interactions, force_densities, residual.velocity);
+        const double force_scale = // the old force densities are the first guess
+            apply_bodies_to_fluid(bodies.interactions, state.bodies, residual.velocity);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
           residual.bodies.push_back(compute_body_residual(
               *operators.bodies[b], state.bodies[b], weights, point->bodies[b], bodies, b, guess));
 
-        FluidSolution solution =
-            solve_and_correct(operators, guess, std::move(residual), bodies.equations, point,
-                              force_scale, step.state.solver);
-        step.state.fluid = {std::move(solution.velocity), state.fluid.velocity,
-                            std::move(solution.pressure)};
-        step.state.fluid.update_ghost_values();
+        const auto corrections = solve_and_correct(operators, state, guess, std::move(residual),
+                                                   bodies.equations, point, force_scale, step);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
           const Body<dim> &body = *operators.bodies[b];
           step.state.bodies.push_back(
-              move_body(body, state.bodies[b], weights, bodies.interactions[b], solution.bodies[b],
+              move_body(body, state.bodies[b], weights, bodies.interactions[b], corrections[b],
                         point->bodies[b].contraction, step.state.fluid.velocity));
           step.report.bodies.emplace_back();
           step.report.bodies[b].muscle_power =
@@ -63,17 +56,18 @@ namespace caudal
         for (const auto &body : point->bodies)
           predicted.push_back(body.positions);
         check_step(operators, state, step.state, predicted, bodies.interactions, dt, step.report);
-        step.report.iterations = solution.n_iterations;
-        step.report.rate       = point->rate;
-        step.report.damping    = compute_damping(operators, state, *point, step.state.fluid);
+        step.report.rate    = point->rate;
+        step.report.damping = compute_damping(operators, state, *point, step.state.fluid);
         step.state.time.accept(dt, step.report.indicators);
       }
 
     private:
-      /** Extrapolates velocities to the end of the step, and body positions by BDF2. */
+      /**
+       * Extrapolates velocities to the end of the step, and body positions by BDF2. Controllers and
+       * muscles decide on the step.
+       */
       static Linearisation predict(const Operators<dim> &operators, const State<dim> &state,
-                                   const TimeWeights &weights, const double dt,
-                                   const std::vector<Contraction> &contractions)
+                                   const TimeWeights &weights, const double dt)
       {
         const auto   &parameters = operators.parameters.fluid;
         Linearisation point;
@@ -85,18 +79,17 @@ namespace caudal
         point.weights.grad_div     = parameters.density * parameters.grad_div;
         point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
         point.transport            = state.fluid.velocity;
-        point.transport *= weights.extrapolation[0];
-        point.transport.add(weights.extrapolation[1], state.fluid.old_velocity);
+        point.transport.sadd(weights.extrapolation[0], weights.extrapolation[1],
+                             state.fluid.old_velocity);
         point.transport.update_ghost_values();
         for (unsigned int b = 0; b < state.bodies.size(); ++b)
         {
-          const BodyState &body     = state.bodies[b];
-          Vector<double>   velocity = body.velocity;
-          velocity *= weights.extrapolation[0];
-          velocity.add(weights.extrapolation[1], body.old_velocity);
-          const Vector<double> positions =
-              integrate_position(*operators.bodies[b], body, velocity, weights);
-          point.bodies.push_back({positions, velocity, contractions[b]});
+          const Body<dim> &body     = *operators.bodies[b];
+          const BodyState &before   = state.bodies[b];
+          Vector<double>   velocity = before.velocity;
+          velocity.sadd(weights.extrapolation[0], weights.extrapolation[1], before.old_velocity);
+          point.bodies.push_back({integrate_position(body, before, velocity, weights), velocity,
+                                  body.command_muscle(before, state.time.get_time(), dt)});
         }
         return point;
       }
@@ -115,10 +108,10 @@ namespace caudal
       }
 
       /** The extrapolated velocity with the boundary values, the old pressure. */
-      static FluidGuess make_guess(const Operators<dim> &operators, const State<dim> &state,
-                                   const Linearisation &point)
+      static CoupledUnknowns make_guess(const Operators<dim> &operators, const State<dim> &state,
+                                        const Linearisation &point)
       {
-        FluidGuess guess{point.transport, state.fluid.pressure};
+        CoupledUnknowns guess{point.transport, state.fluid.pressure, {}};
         operators.space.get_constraints(point.time).distribute(guess.velocity);
         guess.velocity.update_ghost_values();
         guess.pressure.update_ghost_values();
@@ -126,16 +119,15 @@ namespace caudal
       }
 
       /** Assembles the momentum equation about @p point; bodies are not in the residual yet. */
-      static FieldVector compute_momentum_residual(const Operators<dim> &operators,
-                                                   const State<dim>     &state,
-                                                   const TimeWeights    &weights,
-                                                   const Linearisation  &point,
-                                                   const FluidGuess     &guess)
+      static FieldVector compute_momentum_residual(const Operators<dim>  &operators,
+                                                   const State<dim>      &state,
+                                                   const TimeWeights     &weights,
+                                                   const Linearisation   &point,
+                                                   const CoupledUnknowns &guess)
       {
         TimerOutput::Scope timer_section(operators.timer, "assemble fluid");
         FieldVector        history = state.fluid.velocity;
-        history *= weights.derivative[1];
-        history.add(weights.derivative[2], state.fluid.old_velocity);
+        history.sadd(weights.derivative[1], weights.derivative[2], state.fluid.old_velocity);
         history *= operators.parameters.fluid.density;
         history.update_ghost_values();
         MomentumStep momentum;
@@ -151,7 +143,7 @@ namespace caudal
                                                 const TimeWeights           &weights,
                                                 const Linearisation::Body   &point,
                                                 const LinearisedBodies<dim> &bodies,
-                                                const unsigned int b, const FluidGuess &guess)
+                                                const unsigned int b, const CoupledUnknowns &guess)
       {
         const SolidBody<dim>       &solid = body.get_solid();
         const SparseMatrix<double> &mass  = solid.get_mass_matrix();
@@ -168,14 +160,12 @@ namespace caudal
           acceleration *= -solid.get_excess_density();
           mass.vmult_add(residual.force_density, acceleration);
         }
-        Vector<double> opposite(state.force_density);
-        opposite *= -1;
-        mass.vmult_add(residual.force_density, opposite);
-
+        Vector<double> product(solid.n_dofs());
+        mass.vmult(product, state.force_density);
+        residual.force_density -= product;
         residual.velocity = bodies.interactions[b].interpolate(guess.velocity);
-        opposite          = point.velocity;
-        opposite *= -1;
-        mass.vmult_add(residual.velocity, opposite);
+        mass.vmult(product, point.velocity);
+        residual.velocity -= product;
         residual.frame_velocity = bodies.frame_residuals[b];
         return residual;
       }

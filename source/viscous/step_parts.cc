@@ -21,17 +21,6 @@ namespace caudal
     operators.solver.recall(linearise_bodies(operators, point).equations, memory.linearisation);
   }
 
-  template <int dim>
-  std::vector<Contraction> command_muscles(const Operators<dim> &operators, const State<dim> &state,
-                                           const double dt)
-  {
-    std::vector<Contraction> contractions;
-    for (unsigned int b = 0; b < operators.bodies.size(); ++b)
-      contractions.push_back(
-          operators.bodies[b]->command_muscle(state.bodies[b], state.time.get_time(), dt));
-    return contractions;
-  }
-
   namespace
   {
     /** R = -db/dU, since X^{n+1} = ... + U^{n+1} / rate where X is free; with the excess inertia.
@@ -129,8 +118,7 @@ namespace caudal
 
   template <int dim>
   double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
-                               const std::vector<Vector<double>>           &force_densities,
-                               FieldVector                                 &forces)
+                               const std::vector<BodyState> &bodies, FieldVector &forces)
   {
     double      sum_of_norms = 0;
     FieldVector of_body;
@@ -138,7 +126,7 @@ namespace caudal
     for (unsigned int b = 0; b < interactions.size(); ++b)
     {
       of_body = 0;
-      interactions[b].spread(force_densities[b], of_body);
+      interactions[b].spread(bodies[b].force_density, of_body);
       forces += of_body;
       sum_of_norms += of_body.l2_norm();
     }
@@ -146,11 +134,12 @@ namespace caudal
   }
 
   template <int dim>
-  FluidSolution solve_and_correct(const Operators<dim> &operators, const FluidGuess &guess,
-                                  CoupledUnknowns                             residual,
-                                  const std::vector<BodyEquations<dim>>      &equations,
-                                  const std::shared_ptr<const Linearisation> &point,
-                                  const double force_scale, SolverMemory &memory)
+  std::vector<BodyUnknowns> solve_and_correct(const Operators<dim> &operators,
+                                              const State<dim> &state, const CoupledUnknowns &guess,
+                                              CoupledUnknowns                             residual,
+                                              const std::vector<BodyEquations<dim>>      &equations,
+                                              const std::shared_ptr<const Linearisation> &point,
+                                              const double force_scale, Step<dim> &step)
   {
     const MomentumOperator<dim> &momentum = operators.momentum;
     const MomentumWeights       &weights  = point->weights;
@@ -161,21 +150,22 @@ namespace caudal
         weights.inertia * operators.space.get_mean_nodal_volume() * guess.velocity.l2_norm() +
         force_scale;
     auto [correction, n_iterations] =
-        operators.solver.solve(residual, equations, point, scale, memory);
+        operators.solver.solve(residual, equations, point, scale, step.state.solver);
     operators.space.get_homogeneous_constraints().distribute(correction.velocity);
+    step.report.iterations += n_iterations;
 
-    FluidSolution solution{guess.velocity, guess.pressure, std::move(correction.bodies),
-                           n_iterations};
-    solution.velocity += correction.velocity;
-    solution.velocity.update_ghost_values();
-    solution.pressure += correction.pressure;
+    FluidState<dim> &fluid = step.state.fluid;
+    fluid                  = {guess.velocity, state.fluid.velocity, guess.pressure};
+    fluid.velocity += correction.velocity;
+    fluid.velocity.update_ghost_values();
+    fluid.pressure += correction.pressure;
     // The augmentation times what the tolerance leaves of the divergence acts as
     // a pressure, which the pressure has to contain.
-    FieldVector divergence = momentum.compute_divergence(solution.velocity);
+    FieldVector divergence = momentum.compute_divergence(fluid.velocity);
     momentum.apply_inverse_pressure_mass(divergence);
-    solution.pressure.add(-weights.augmentation, divergence);
-    solution.pressure.update_ghost_values();
-    return solution;
+    fluid.pressure.add(-weights.augmentation, divergence);
+    fluid.update_ghost_values();
+    return std::move(correction.bodies);
   }
 
   template <int dim>
@@ -203,8 +193,7 @@ namespace caudal
     if (body.has_gait())
     {
       Vector<double> mean_density(before.force_density);
-      mean_density += after.force_density;
-      mean_density *= 0.5;
+      mean_density.sadd(0.5, 0.5, after.force_density);
       solid.get_mass_matrix().vmult(driving_force, mean_density);
       driving_force -= forces.at(LoadAccount::elastic);
       driving_force -= feedback_force;
@@ -279,16 +268,14 @@ namespace caudal
   }
 
 #define INSTANTIATE(dim)                                                                             \
-  template void recall_factorisation(const Operators<dim> &, const SolverMemory &);                  \
-  template std::vector<Contraction> command_muscles(const Operators<dim> &, const State<dim> &,      \
-                                                    double);                                         \
-  template LinearisedBodies<dim>    linearise_bodies(const Operators<dim> &, const Linearisation &); \
-  template double        apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &,        \
-                                               const std::vector<Vector<double>> &, FieldVector &);  \
-  template FluidSolution solve_and_correct(                                                          \
-      const Operators<dim> &, const FluidGuess &, CoupledUnknowns,                                   \
+  template void                  recall_factorisation(const Operators<dim> &, const SolverMemory &); \
+  template LinearisedBodies<dim> linearise_bodies(const Operators<dim> &, const Linearisation &);    \
+  template double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &,               \
+                                        const std::vector<BodyState> &, FieldVector &);              \
+  template std::vector<BodyUnknowns> solve_and_correct(                                              \
+      const Operators<dim> &, const State<dim> &, const CoupledUnknowns &, CoupledUnknowns,          \
       const std::vector<BodyEquations<dim>> &, const std::shared_ptr<const Linearisation> &,         \
-      double, SolverMemory &);                                                                       \
+      double, Step<dim> &);                                                                          \
   template Vector<double> follow_fluid(const Body<dim> &, const InteractionOperator<dim> &,          \
                                        const FieldVector &);                                         \
   template double account_work(const Body<dim> &, const BodyState &, const BodyForces &, double,     \

@@ -52,10 +52,10 @@ void check(const std::string &name, const DeltaKernel &kernel)
     asymmetry = std::max(asymmetry, std::abs(phi(r) - phi(-r)));
     smallest  = std::min(smallest, phi(r));
   }
-  const double outside = std::abs(phi(kernel.radius())) + std::abs(phi(kernel.radius() + 0.3));
+  const double outside = std::abs(phi(kernel.radius)) + std::abs(phi(kernel.radius + 0.3));
 
   const auto yes = [](const bool condition) { return condition ? "  yes" : "   no"; };
-  std::cout << std::left << std::setw(30) << name << std::right << std::setw(5) << kernel.radius()
+  std::cout << std::left << std::setw(30) << name << std::right << std::setw(5) << kernel.radius
             << yes(has_zeroth && std::abs(zeroth - 1.) < 1e-12)
             << yes(has_first && std::abs(first) < 1e-12)
             << yes(has_even && std::abs(even - 0.5) < 1e-12) << yes(has_squares) << std::setw(9)
@@ -118,8 +118,8 @@ int main()
   for (const auto &[name, member] : Registry<DeltaKernel>::get_members())
   {
     const auto kernel = member.create();
-    if (kernel->radius() == 0.)
-      std::cout << name << ": radius " << kernel->radius() << std::endl;
+    if (kernel->radius == 0.)
+      std::cout << name << ": radius " << kernel->radius << std::endl;
     else if (kernel->is_isotropic())
       check(name, *kernel);
     else
@@ -145,6 +145,6 @@ int main()
                "the integrals"
             << std::endl;
   for (const auto &[name, member] : Registry<DeltaKernel>::get_members())
-    if (const auto kernel = member.create(); kernel->is_isotropic() && kernel->radius() > 0.)
+    if (const auto kernel = member.create(); kernel->is_isotropic() && kernel->radius > 0.)
       check_convolution(name, *kernel);
 }

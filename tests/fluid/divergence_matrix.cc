@@ -2,7 +2,8 @@
 // The matrix of the divergence on a grid with hanging nodes: int div u dx of a field that it
 // represents exactly, by the matrix and by its transpose, whatever stands in constrained entries.
 
-#include <caudal/fluid/divergence_matrix.h>
+#include <caudal/fluid/cellwise_matrix.h>
+#include <caudal/fluid/fluid_space.h>
 #include <caudal/mesh/domain.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -49,8 +50,12 @@ namespace
         DoFTools::extract_locally_relevant_dofs(space.velocity_dofs));
     DoFTools::make_hanging_node_constraints(space.velocity_dofs, hanging_nodes);
     hanging_nodes.close();
-    DivergenceMatrix divergence;
-    divergence.reinit(space, hanging_nodes);
+    CellwiseMatrix divergence;
+    divergence.reinit(space.pressure_dofs, space.velocity_dofs, hanging_nodes);
+    unsigned int index = 0;
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        divergence.set(index++, space.get_cell_matrices(cell->level()).get_divergence());
 
     FieldVector velocity = space.make_velocity_vector(), gradient = space.make_velocity_vector();
     VectorTools::interpolate(space.velocity_dofs, Squares<dim>(), velocity);
@@ -74,7 +79,7 @@ namespace
 
     divergence.vmult(moments, velocity);
     const double by_matrix = one * moments;
-    divergence.Tvmult(gradient, one);
+    divergence.Tvmult_add(gradient, one);
     const double by_transpose = gradient * velocity;
     divergence.Tvmult_add(gradient, one);
     const double twice = gradient * velocity;

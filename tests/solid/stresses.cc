@@ -3,7 +3,7 @@
 // differences of P, its major symmetry, objectivity, and no stress in a rotation.
 
 #include <caudal/base/collective.h>
-#include <caudal/solid/material_parameters.h>
+#include <caudal/solid/solid_parameters.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

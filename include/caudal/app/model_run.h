@@ -14,15 +14,14 @@ namespace caudal
 {
   /**
    * A case of the model @p Swimmer as its parameter file describes it, which starts, or goes on
-   * from a checkpoint. The swimmer names its Parameters and its Checkpoint,
-   * and is constructed for each run.
+   * from a checkpoint. The swimmer names its Parameters and, if it writes checkpoints, its
+   * Checkpoint, and is constructed for each run.
    */
   template <class Swimmer>
   class ModelRun
   {
   public:
     using Parameters = typename Swimmer::Parameters;
-    using Checkpoint = typename Swimmer::Checkpoint;
 
     /** Reads and checks all parameters. */
     ModelRun(const ParameterFile &file, MPI_Comm communicator);

@@ -9,7 +9,6 @@
 
 #include <deal.II/base/config.h>
 
-#include <deal.II/base/qprojector.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -51,18 +50,6 @@ namespace caudal::compatibility
     return AffineConstraints<double>(owned, relevant);
 #else
     return AffineConstraints<double>(relevant);
-#endif
-  }
-
-  /** The points of @p quadrature on side number @p face of the unit square or cube. */
-  template <int dim>
-  Quadrature<dim> project_to_face(const Quadrature<dim - 1> &quadrature, const unsigned int face)
-  {
-#if DEAL_II_VERSION_GTE(9, 7, 0)
-    return QProjector<dim>::project_to_face(ReferenceCells::get_hypercube<dim>(), quadrature, face,
-                                            numbers::default_geometric_orientation);
-#else
-    return QProjector<dim>::project_to_face(ReferenceCells::get_hypercube<dim>(), quadrature, face);
 #endif
   }
 

@@ -13,7 +13,7 @@ namespace caudal
 
   /**
    * One of each member of the family @p Base: of plug-ins that are all at work in a run, such as
-   * guards. They stand in the order of their `get_place()`, those of the same place by name.
+   * guards. They stand in the order of their `place`, those of the same place by name.
    */
   template <class Base>
   class PluginList
@@ -24,7 +24,7 @@ namespace caudal
       for (const auto &[name, member] : Registry<Base>::get_members())
         plugins.emplace_back(name, member.create());
       std::stable_sort(plugins.begin(), plugins.end(), [](const auto &a, const auto &b) {
-        return a.second->get_place() < b.second->get_place();
+        return a.second->place < b.second->place;
       });
     }
 

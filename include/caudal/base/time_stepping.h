@@ -113,7 +113,6 @@ namespace caudal
     unsigned int          step_number   = 0;
 
     void choose_step();
-    void limit_to_end();
   };
 } // namespace caudal
 

@@ -33,7 +33,7 @@ namespace caudal
     /** Half the width of the kernel's support, in cells of the finest level. */
     double get_support() const
     {
-      return 0.5 * std::max(kernel->radius(), kernel->across().radius());
+      return 0.5 * std::max(kernel->radius, kernel->across().radius);
     }
 
     const std::unique_ptr<DeltaKernel> kernel;

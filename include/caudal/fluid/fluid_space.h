@@ -76,10 +76,6 @@ namespace caudal
       return velocity_layout;
     }
 
-    const Tensor<1, dim> &get_domain_size() const
-    {
-      return domain_size;
-    }
     /** The domain's volume over the number of velocity nodes [m^dim]. */
     double get_mean_nodal_volume() const;
 

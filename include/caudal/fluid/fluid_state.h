@@ -4,8 +4,6 @@
 
 #include <caudal/fluid/fluid_space.h>
 
-#include <deal.II/numerics/data_postprocessor.h>
-
 namespace caudal
 {
   /** The fluid's fields, all with up-to-date ghost values. */
@@ -21,10 +19,6 @@ namespace caudal
     void reinit(const FluidSpace<dim> &space);
     void update_ghost_values() const;
   };
-
-  /** The nodal interpolant of the initial velocity of the .prm. */
-  template <int dim>
-  void set_initial_velocity(const FluidSpace<dim> &space, FluidState<dim> &state);
 
   /** Integral quantities of a velocity field (per metre of span in 2D). */
   template <int dim>
@@ -56,40 +50,6 @@ namespace caudal
   template <int dim>
   double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
                                            const FieldVector &velocity, double rate);
-
-  /** Velocity [m/s] and pressure [Pa] at a point. */
-  template <int dim>
-  struct ProbeValues
-  {
-    Tensor<1, dim> velocity;
-    double         pressure = 0;
-  };
-
-  /**
-   * Velocity and pressure at @p point; the pressure, which jumps from cell to cell,
-   * is the mean of those of all cells that meet there. Collective.
-   */
-  template <int dim>
-  ProbeValues<dim> evaluate_at(const FluidSpace<dim> &space, const FluidState<dim> &state,
-                               const Point<dim> &point);
-
-  /** Largest h |vorticity| of each active cell of this rank, h the cell's edge [m/s]. */
-  template <int dim>
-  Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
-                                            const FieldVector     &velocity);
-
-  /** The vorticity for DataOut: a scalar in 2D, a vector in 3D [1/s]. */
-  template <int dim>
-  class VorticityPostprocessor : public DataPostprocessor<dim>
-  {
-  public:
-    void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &input,
-                               std::vector<Vector<double>> &quantities) const override;
-    std::vector<std::string> get_names() const override;
-    std::vector<DataComponentInterpretation::DataComponentInterpretation>
-                get_data_component_interpretation() const override;
-    UpdateFlags get_needed_update_flags() const override;
-  };
 } // namespace caudal
 
 #endif

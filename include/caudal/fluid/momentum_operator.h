@@ -3,7 +3,6 @@
 #define caudal_fluid_momentum_operator_h
 
 #include <caudal/fluid/cellwise_matrix.h>
-#include <caudal/fluid/divergence_matrix.h>
 #include <caudal/fluid/fluid_space.h>
 
 namespace caudal
@@ -58,8 +57,8 @@ namespace caudal
     {
       return matrix;
     }
-    /** B, without the constrained velocities. */
-    const DivergenceMatrix &get_divergence_matrix() const
+    /** B, B_kj = int q_k div v_j dx, without the constrained velocities. */
+    const CellwiseMatrix &get_divergence_matrix() const
     {
       return divergence_matrix;
     }
@@ -72,14 +71,12 @@ namespace caudal
 
   private:
     const FluidSpace<dim> &space;
-    DivergenceMatrix       divergence_matrix;
+    CellwiseMatrix         divergence_matrix;
 
     // Work space: A of the last assemble().
     mutable CellwiseMatrix  matrix;
     mutable MomentumWeights constant_weights;
     mutable bool            matrix_is_constant = false;
-
-    class CellAssembler;
   };
 } // namespace caudal
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <variant>
 
 namespace caudal
 {
@@ -39,18 +40,7 @@ namespace caudal
         std::function<double(const Observation<dim> &, const BodyObservation<dim> &)>;
     using Measure = std::function<double(const Observation<dim> &, const ObserverContext<dim> &)>;
 
-    /** A guard of each body. */
-    Guard(const Words &words, const double limit, const BodyMeasure &measure,
-          const unsigned int place = last_place, const Side side = Side::above)
-        : words(words)
-        , measure_body(measure)
-        , place(place)
-        , side(side)
-        , limit(limit)
-    {}
-
-    /** A guard of fluid and bodies together. */
-    Guard(const Words &words, const double limit, const Measure &measure,
+    Guard(const Words &words, const double limit, const std::variant<BodyMeasure, Measure> &measure,
           const unsigned int place = last_place, const Side side = Side::above)
         : words(words)
         , measure(measure)
@@ -59,9 +49,10 @@ namespace caudal
         , limit(limit)
     {}
 
-    const Words       words;
-    const BodyMeasure measure_body; // one of both is empty
-    const Measure     measure;
+    const Words words;
+    /** The measure of each body, or of fluid and bodies together. */
+    const std::variant<BodyMeasure, Measure> measure;
+    const unsigned int                       place;
 
     void add_parameters(ParameterHandler &prm) override
     {
@@ -70,10 +61,6 @@ namespace caudal
 
     void check(const std::string &path) const override;
 
-    unsigned int get_place() const
-    {
-      return place;
-    }
     double get_limit() const
     {
       return limit;
@@ -85,9 +72,8 @@ namespace caudal
     }
 
   private:
-    const unsigned int place;
-    const Side         side;
-    double             limit;
+    const Side side;
+    double     limit;
   };
 } // namespace caudal
 

@@ -49,10 +49,7 @@ namespace caudal
         : place(place)
     {}
 
-    unsigned int get_place() const
-    {
-      return place;
-    }
+    const unsigned int place;
 
     /** Throws a sentence if the case can't be observed as the parameters ask for. */
     virtual void check_case(const Observation<dim> & /*start*/) const {}
@@ -85,9 +82,6 @@ namespace caudal
 
     /** After start() and the reading of the state: removes what was written later than that. */
     virtual void resume(const ObserverContext<dim> &) {}
-
-  private:
-    const unsigned int place;
   };
 } // namespace caudal
 

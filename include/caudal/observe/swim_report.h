@@ -43,16 +43,22 @@ namespace caudal
     }
 
   private:
-    void        write_files() const;
-    std::string get_json_file() const;
-    std::size_t count_steady_beats() const;
+    using Quantities = std::vector<TailBeatQuantity>;
 
     const SwimmerConstants  swimmer;
     std::ostream           &log;
     const std::string       file;
+    const Quantities        in_file, on_screen; // those that are known for the swimmer
     TailCycleDetector       detector;
     std::vector<SwimSample> samples; // since the start of the running beat
     std::vector<TailBeat>   beats;
+
+    std::string get_json_file() const;
+    std::size_t count_steady_beats() const;
+    void        write_header(std::ostream &out, const Quantities &quantities) const;
+    void        write_row(std::ostream &out, const Quantities &quantities, std::size_t beat) const;
+    void        write_json(std::ostream &out) const;
+    void        write_files() const;
   };
 } // namespace caudal
 

@@ -111,6 +111,11 @@ namespace caudal
     {
       return solid.compute_mean(state.velocity);
     }
+    /** int_B f, the resultant of all its forces on the fluid [N, in 2D N/m]. */
+    Tensor<1, dim> get_resultant(const BodyState &state) const
+    {
+      return solid.get_reference_volume() * solid.compute_mean(state.force_density);
+    }
     /** The direction in which the fish looks, from tail to nose. */
     Tensor<1, dim> get_forward_direction(const BodyState &state) const;
     /** Activation of the muscle in the middle of the last step, 1 at full strength [1]. */

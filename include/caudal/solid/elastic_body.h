@@ -23,9 +23,18 @@ namespace caudal
   class ElasticBody
   {
   public:
+    using Parameters = ElasticParameters<dim>;
+
     ElasticBody(const ElasticParameters<dim> &parameters, MPI_Comm communicator);
 
-    void print_summary(std::ostream &out) const;
+    /** Starts from rest, with the acceleration of the weight. */
+    void start();
+
+    /** Prints what the case is like. */
+    void check(std::ostream &out, bool fast) const;
+
+    /** Parameter values are not kept: there are no checkpoints. */
+    void set_parameter_values(const ParameterValues &) {}
 
     Outcome run(const OutputFolder &folder, Log &log, const std::function<bool()> &stop_requested);
 
@@ -37,6 +46,7 @@ namespace caudal
     Vector<double>                weight, positions, velocity, acceleration;
     SparseMatrix<double>          matrix;
 
+    void print_summary(std::ostream &out) const;
     /** Solves a step of length @p step [s], or for the equilibrium under @p load of the weight. */
     unsigned int   solve(double step, double load);
     Vector<double> compute_residual(double inertia, double load, const Vector<double> &predicted);

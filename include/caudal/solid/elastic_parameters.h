@@ -26,6 +26,12 @@ namespace caudal
     /** The one body that @p file names and its regions decide what sections there are. */
     explicit ElasticParameters(const ParameterFile *file);
 
+    /** Entries that had other names in earlier versions. */
+    static std::vector<RenamedEntry> get_renamed_entries()
+    {
+      return BodyGridParameters<dim>::get_renamed_entries();
+    }
+
     void declare(ParameterHandler &prm);
     void check() const;
   };

@@ -4,7 +4,8 @@
 
 #include <caudal/solid/solid_body.h>
 
-#include <map>
+#include <string>
+#include <utility>
 
 namespace caudal
 {
@@ -36,18 +37,12 @@ namespace caudal
                                            const Vector<double> &positions);
 
   /**
-   * Cell means for pictures: J, the elastic Cauchy stress [Pa] by component, P F^T / J and
+   * Cell means for pictures, by name: J, the elastic Cauchy stress [Pa] by component, P F^T / J and
    * the pressure of the cells' volume stabilisation, and the region.
    */
-  struct CellDeformation
-  {
-    Vector<float>                        jacobian, region;
-    std::map<std::string, Vector<float>> cauchy_stress;
-  };
-
   template <int dim>
-  CellDeformation compute_cell_deformation(const SolidBody<dim> &body,
-                                           const Vector<double> &positions);
+  std::vector<std::pair<std::string, Vector<float>>>
+  compute_cell_means(const SolidBody<dim> &body, const Vector<double> &positions);
 } // namespace caudal
 
 #endif

@@ -48,9 +48,14 @@ namespace caudal
   class Load
   {
   public:
+    Load(const SolidBody<dim> &body, const LoadAccount account)
+        : account(account)
+        , body(body)
+    {}
+
     virtual ~Load() = default;
 
-    virtual LoadAccount get_account() const = 0;
+    const LoadAccount account;
 
     /**
      * Adds the load in the @p motion to @p force and, unless that is null, its derivatives to
@@ -58,14 +63,16 @@ namespace caudal
      */
     virtual void add(const BodyMotion &motion, Vector<double> &force,
                      BodyResponse *response) const = 0;
+
+  protected:
+    const SolidBody<dim> &body;
   };
 
   /** -int P : grad N ds - sum over the cells of kappa_v V/v ln(v/V) dv/dX, see Region. */
   template <int dim>
   std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &body);
 
-  /** int kappa (X_0 - X).N ds - int eta U.N ds in the directions in which springs and dampers act.
-   */
+  /** int kappa (X_0 - X).N - eta U.N ds in the directions in which springs and dampers act. */
   template <int dim>
   std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &body);
 

@@ -6,6 +6,10 @@
 
 namespace caudal
 {
+  /** Some nodes of a body. */
+  template <int dim>
+  using Nodes = std::vector<typename SolidBody<dim>::Node>;
+
   /** The motion x = center + rotation (s - reference_center). */
   template <int dim>
   struct RigidMotion
@@ -20,8 +24,7 @@ namespace caudal
    * doi:10.1107/S0567739476001873).
    */
   template <int dim>
-  RigidMotion<dim> fit_rigid_motion(const SolidBody<dim>                             &body,
-                                    const std::vector<typename SolidBody<dim>::Node> &nodes,
+  RigidMotion<dim> fit_rigid_motion(const SolidBody<dim> &body, const Nodes<dim> &nodes,
                                     const Vector<double> &reference, const Vector<double> &x);
 
   /** The velocity v = mean + spin (x - center) of a rigid motion; spin is skew-symmetric. */
@@ -34,8 +37,7 @@ namespace caudal
 
   /** The rigid velocity that is closest to the nodal field @p v at the nodal positions @p x. */
   template <int dim>
-  RigidVelocity<dim> fit_rigid_velocity(const SolidBody<dim>                             &body,
-                                        const std::vector<typename SolidBody<dim>::Node> &nodes,
+  RigidVelocity<dim> fit_rigid_velocity(const SolidBody<dim> &body, const Nodes<dim> &nodes,
                                         const Vector<double> &x, const Vector<double> &v);
 
   /** Nodal fields that span the rigid velocities at the nodal positions @p x: dim (dim+1)/2. */

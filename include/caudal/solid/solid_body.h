@@ -12,7 +12,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
-#include <functional>
 
 namespace caudal
 {
@@ -157,10 +156,6 @@ namespace caudal
     /** Rotates a vector of the body's frame as the body is placed at the start. */
     Tensor<1, dim> rotate_to_domain(const Tensor<1, dim> &vector) const;
 
-    /** int N_a v(s) ds of a function given at the reference points. */
-    Vector<double>
-    compute_moments(const std::function<Tensor<1, dim>(const Point<dim> &)> &function) const;
-
     /**
      * Prepares the evaluation of fields at a point of the reference
      * configuration (the body's own frame) and returns its number. Throws if it
@@ -177,18 +172,18 @@ namespace caudal
     /** Boxes around the cells for the nodal positions @p x. */
     std::vector<BoundingBox<dim>> compute_cell_boxes(const Vector<double> &x) const;
 
-    /** Values at the reference quadrature points, cell by cell. */
-    struct QuadratureData
+    /** A quadrature point of the reference configuration. */
+    struct QuadraturePoint
     {
-      std::vector<std::vector<double>>         shape_values;    // [q][scalar shape function]
-      std::vector<std::vector<Tensor<1, dim>>> shape_gradients; // [cell * n_q + q][scalar ...]
-      std::vector<Point<dim>>                  points;          // [cell * n_q + q]
-      std::vector<double>                      weights;         // [cell * n_q + q]
-      unsigned int                             n_q;
+      Point<dim>                  place;
+      double                      weight;
+      std::vector<double>         values; // of the scalar shape functions
+      std::vector<Tensor<1, dim>> gradients;
     };
-    const QuadratureData &get_quadrature_data() const
+    /** The quadrature points of the active cell with this index. */
+    const std::vector<QuadraturePoint> &get_quadrature_points(const unsigned int cell) const
     {
-      return quadrature_data;
+      return quadrature_points[cell];
     }
 
   private:
@@ -201,7 +196,7 @@ namespace caudal
     SparseMatrix<double>                        mass, feedback_stiffness, feedback_damping;
     SparseDirectUMFPACK                         inverse_mass;
     double                                      excess_density, reference_volume = 0;
-    QuadratureData                              quadrature_data;
+    std::vector<std::vector<QuadraturePoint>>   quadrature_points; // by cell
     std::vector<Node>                           nodes, head_nodes;
     std::vector<Point<dim>>                     reference_points;
     std::vector<bool>                           fixed_dofs;

@@ -22,21 +22,15 @@ namespace caudal
   class StepFailure : public std::runtime_error
   {
   public:
-    enum class Kind
-    {
-      no_convergence,
-      inverted_element,
-      not_finite
-    };
-
-    StepFailure(const Kind kind, const std::string &reason,
+    StepFailure(const std::string &reason, const std::string &advice,
                 const std::vector<BodyState> &trial_bodies)
         : std::runtime_error(reason)
-        , kind(kind)
+        , advice(advice)
         , trial_bodies(trial_bodies)
     {}
 
-    const Kind kind;
+    /** The likely cause, and what to change. */
+    const std::string advice;
     /** What the failed step has made of the bodies, of the first of them or of none. */
     const std::vector<BodyState> trial_bodies;
   };

@@ -36,17 +36,23 @@ namespace caudal
     /** How a body lies on the fluid's grid and in the domain. */
     struct BodyOnGrid
     {
-      std::string              path;
-      std::vector<std::string> regions;
-      std::vector<double>      thickness; // of the regions at their thinnest [m]
-      bool                     swims            = false;
-      double                   length           = 0; // [m]
-      double                   spacing_ratio    = 0; // of its nodes to the finest fluid cells
-      double                   room_ahead       = 0; // to the side that it swims to [m]
-      double                   nearest_side     = 0; // [m]
-      double                   beat_frequency   = 0; // [Hz]; 0 if it is not given
-      double                   wave_speed       = 0; // of the fastest elastic waves [m/s]
-      double                   spring_frequency = 0; // of its feedback springs [rad/s]
+      const Body<dim>    &body;
+      std::string         path;
+      std::vector<double> thickness;            // of the regions at their thinnest [m]
+      double              spacing_ratio    = 0; // of its nodes to the finest fluid cells
+      double              room_ahead       = 0; // to the side that it swims to [m]
+      double              nearest_side     = 0; // [m]
+      double              wave_speed       = 0; // of the fastest elastic waves [m/s]
+      double              spring_frequency = 0; // of its feedback springs [rad/s]
+
+      bool swims() const
+      {
+        return body.swims() && body.counts_from_nose();
+      }
+      const std::vector<std::string> &get_regions() const
+      {
+        return body.get_parameters().solid.regions;
+      }
     };
 
     const RunParameters<dim> &parameters;
@@ -54,8 +60,8 @@ namespace caudal
     const double              cell_size, kernel_width; // on the finest level [m]
     std::vector<BodyOnGrid>   bodies;
 
-    BodyOnGrid describe_body(const Body<dim> &swimmer) const;
-    void       measure_room(const SolidBody<dim> &solid, BodyOnGrid &body) const;
+    BodyOnGrid describe_body(const Body<dim> &body) const;
+    void       measure_room(BodyOnGrid &body) const;
     void       add_thickness_warnings(std::vector<std::string> &warnings) const;
     void       add_domain_warnings(std::vector<std::string> &warnings) const;
     void       add_wake_warnings(std::vector<std::string> &warnings) const;

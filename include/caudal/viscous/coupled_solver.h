@@ -3,13 +3,25 @@
 #define caudal_viscous_coupled_solver_h
 
 #include <caudal/viscous/coupled_equations.h>
-#include <caudal/viscous/solver_parameters.h>
 #include <caudal/viscous/state.h>
 
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 namespace caudal
 {
+  /** Section `Solver`. */
+  struct SolverParameters
+  {
+    double       tolerance                    = 1e-8;
+    unsigned int largest_number_of_iterations = 40;
+    double       augmentation                 = 1e3;
+    std::string  reuse                        = "automatic";
+
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+  };
+
   DeclException1(ExcNotFinite, std::string, << arg1 << " not finite.");
 
   /**
@@ -85,11 +97,8 @@ namespace caudal
     mutable unsigned int                         n_factorisations          = 0;
     mutable unsigned int                         n_pivoting_factorisations = 0;
 
-    bool should_factorise(const SolverMemory &memory, bool matrix_changed) const;
     void factorise(const CoupledEquations<dim>                &equations,
                    const std::shared_ptr<const Linearisation> &point) const;
-    /** Iterations with an old factorisation that cost as much as a new one. */
-    unsigned int count_affordable_iterations(const SolverMemory &memory) const;
   };
 } // namespace caudal
 

@@ -11,7 +11,7 @@
 #include <caudal/mesh/refinement.h>
 #include <caudal/observe/observers.h>
 #include <caudal/solid/body.h>
-#include <caudal/viscous/solver_parameters.h>
+#include <caudal/viscous/coupled_solver.h>
 
 namespace caudal
 {

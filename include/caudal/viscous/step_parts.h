@@ -18,11 +18,6 @@ namespace caudal
   template <int dim>
   void recall_factorisation(const Operators<dim> &operators, const SolverMemory &memory);
 
-  /** Muscle to body: what controllers and muscles decide on the step, body by body. */
-  template <int dim>
-  std::vector<Contraction> command_muscles(const Operators<dim> &operators, const State<dim> &state,
-                                           double dt);
-
   /** What the bodies contribute to the equations of a step. */
   template <int dim>
   struct LinearisedBodies
@@ -40,39 +35,27 @@ namespace caudal
                                          const Linearisation  &point);
 
   /**
-   * Body to fluid: adds the @p forces G^T Phi of all bodies, Phi their force densities. Returns the
-   * sum of their norms.
+   * Body to fluid: adds the @p forces G^T Phi of all bodies, Phi their force densities in the
+   * states @p bodies. Returns the sum of their norms.
    */
   template <int dim>
   double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &interactions,
-                               const std::vector<Vector<double>>           &force_densities,
-                               FieldVector                                 &forces);
-
-  /** The first guess of a step's solution, which satisfies the boundary conditions at its end. */
-  struct FluidGuess
-  {
-    FieldVector velocity, pressure;
-  };
-
-  /** Velocity and pressure at the end of a step, and the corrections of the bodies. */
-  struct FluidSolution
-  {
-    FieldVector               velocity, pressure;
-    std::vector<BodyUnknowns> bodies;
-    unsigned int              n_iterations = 0;
-  };
+                               const std::vector<BodyState> &bodies, FieldVector &forces);
 
   /**
-   * Solves for the corrections to the first @p guess, whose @p residual still lacks that of the
-   * continuity equation, and applies them to the fluid. @p force_scale: what
-   * apply_bodies_to_fluid() returns.
+   * Solves for the corrections to the first @p guess of velocity and pressure at the end of the
+   * step from @p state, which satisfies the boundary conditions there. The @p residual still lacks
+   * that of the continuity equation. @p force_scale: what apply_bodies_to_fluid() returns. Gives
+   * the corrected fluid, and the iterations that it took, to @p step; returns the corrections of
+   * the bodies.
    */
   template <int dim>
-  FluidSolution solve_and_correct(const Operators<dim> &operators, const FluidGuess &guess,
-                                  CoupledUnknowns                             residual,
-                                  const std::vector<BodyEquations<dim>>      &equations,
-                                  const std::shared_ptr<const Linearisation> &point,
-                                  double force_scale, SolverMemory &memory);
+  std::vector<BodyUnknowns> solve_and_correct(const Operators<dim> &operators,
+                                              const State<dim> &state, const CoupledUnknowns &guess,
+                                              CoupledUnknowns                             residual,
+                                              const std::vector<BodyEquations<dim>>      &equations,
+                                              const std::shared_ptr<const Linearisation> &point,
+                                              double force_scale, Step<dim> &step);
 
   /** Fluid to body: the velocity U = M_s^-1 G u with which the body follows the fluid. */
   template <int dim>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef caudal_fluid_control_volume_h
-#define caudal_fluid_control_volume_h
+#ifndef caudal_fluid_external_forces_h
+#define caudal_fluid_external_forces_h
 
 #include <caudal/fluid/fluid_state.h>
 
@@ -8,6 +8,17 @@
 
 namespace caudal
 {
+  /**
+   * The power that the fluid receives from outside, through its sides and by the body force,
+   *   closed int ((-p n + mu du/dn + rho gamma (div u) n).u - rho/2 |u|^2 (u.n)) + int f.u
+   * [W; per metre of span in 2D: W/m]. As in the discrete equations, outflow sides exert no
+   * stress, and with `Backflow stabilisation` what flows back through them brings no energy.
+   * Collective.
+   */
+  template <int dim>
+  double compute_external_power(const FluidSpace<dim> &space, const FluidState<dim> &state,
+                                double time);
+
   /** What the momentum balance of a control volume is made of (per metre of span in 2D). */
   template <int dim>
   struct MomentumBalance
