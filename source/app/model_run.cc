@@ -97,9 +97,8 @@ namespace caudal
   template <class Swimmer>
   Outcome ModelRun<Swimmer>::resume(const std::function<bool()> &stop_requested) const
   {
-    const CheckpointFolder       folder(parameters.output.folder, parameters.checkpoint.n_slots,
-                                        communicator);
-    const auto                   slot = folder.read_newest();
+    const std::string           &results = parameters.output.folder;
+    const auto                   slot    = read_newest_checkpoint(results, communicator);
     typename Swimmer::Checkpoint checkpoint;
     unpack(slot.data, checkpoint);
     std::ostringstream place;
@@ -111,7 +110,7 @@ namespace caudal
       messages.push_back("Changed: " + change);
 
     Swimmer swimmer(parameters, communicator);
-    folder.remove_after(checkpoint.step_number);
+    remove_checkpoints_after(results, checkpoint.step_number, communicator);
     swimmer.resume_from(std::move(checkpoint));
     return run(swimmer, OutputFolder::Start::resume, messages, stop_requested);
   }

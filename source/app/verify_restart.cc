@@ -101,7 +101,7 @@ namespace caudal
     };
     const auto read_last_state = [&](const std::string &folder) {
       Checkpoint state;
-      unpack(CheckpointFolder(base + folder, 1, communicator).read_newest().data, state);
+      unpack(read_newest_checkpoint(base + folder, communicator).data, state);
       return state;
     };
 

@@ -15,11 +15,6 @@ namespace caudal
       : length(length)
   {}
 
-  double EllipticBody::get_length() const
-  {
-    return length;
-  }
-
   double EllipticBody::get_end_factor(const double s, const double length)
   {
     return 2. * std::sqrt(std::max(0., s * (length - s))) / length;
@@ -39,39 +34,26 @@ namespace caudal
 
   std::vector<BodySlice> EllipticBody::compute_slices() const
   {
-    const unsigned int     n_slices = 56;
-    const QGauss<1>        gauss(3);
+    const QIterated<1>     quadrature(QGauss<1>(3), 56);
     std::vector<BodySlice> slices;
-    for (unsigned int i = 0; i < n_slices; ++i)
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-      {
-        BodySlice slice;
-        slice.s             = length * (i + gauss.point(q)[0]) / n_slices;
-        const auto [ga, gb] = get_scales(slice.s);
-        const double a      = ga * get_end_factor(slice.s, length);
-        const double b      = gb * get_end_factor(slice.s, length);
-        const double volume = numbers::PI * a * b * length / n_slices * gauss.weight(q);
-        slice.moments[0][0] = volume;
-        slice.moments[1][1] = volume * a * a / 4.;
-        slice.moments[2][2] = volume * b * b / 4.;
-        slices.push_back(slice);
-      }
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    {
+      BodySlice slice;
+      slice.s             = length * quadrature.point(q)[0];
+      const auto [ga, gb] = get_scales(slice.s);
+      const double a      = ga * get_end_factor(slice.s, length);
+      const double b      = gb * get_end_factor(slice.s, length);
+      const double volume = numbers::PI * a * b * length * quadrature.weight(q);
+      slice.moments[0][0] = volume;
+      slice.moments[1][1] = volume * a * a / 4.;
+      slice.moments[2][2] = volume * b * b / 4.;
+      slices.push_back(slice);
+    }
     return slices;
-  }
-
-  bool EllipticBody::is_symmetric() const
-  {
-    return true;
   }
 
   namespace
   {
-    unsigned int get_n_layers(const GridDivisions &divisions)
-    {
-      return std::max(
-          1u, *std::min_element(divisions.elements.begin() + 1, divisions.elements.end()) / 5);
-    }
-
     /**
      * Where the point @p q of the square [-1,1]^(dim-1) of a section is in the unit disc (2D: the
      * interval); @p roundness 1 takes the square's edge to the circle, 0 keeps it straight.
@@ -140,66 +122,66 @@ namespace caudal
       const double core_share; // of a section's width
       const double end;        // the length of a round end on the surface, half that of the core's
     };
-  } // namespace
 
-  template <int dim>
-  void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
-                       const unsigned int n_layers)
-  {
-    Triangulation<dim> cube;
-    Point<dim>         corner;
-    for (unsigned int d = 0; d < dim; ++d)
-      corner[d] = 1.;
-    GridGenerator::subdivided_hyper_rectangle(cube, core, Point<dim>(-corner), corner);
-
-    const CubedBall<dim>       ball(core, n_layers);
-    std::vector<Point<dim>>    vertices;
-    std::vector<CellData<dim>> cells;
-    for (const Point<dim> &p : cube.get_vertices())
-      vertices.push_back(ball.place_core(p));
-    // The vertices of the layer k beyond the surface's vertex v.
-    std::map<unsigned int, unsigned int> first;
-    const auto get_vertex = [&](const unsigned int v, const unsigned int k) {
-      if (k == 0)
-        return v;
-      const auto [entry, is_new] = first.insert({v, vertices.size()});
-      if (is_new)
-      {
-        const Point<dim>     inner = vertices[v];
-        const Tensor<1, dim> way   = ball.place_on_sphere(cube.get_vertices()[v]) - inner;
-        for (unsigned int layer = 1; layer <= n_layers; ++layer)
-          vertices.push_back(inner + static_cast<double>(layer) / n_layers * way);
-      }
-      return entry->second + k - 1;
-    };
-    for (const auto &cell : cube.active_cell_iterators())
+    /**
+     * The unit disc or ball as an image of a cube: a core of @p core elements in each direction,
+     * from whose faces @p n_layers layers of elements reach to the circle or sphere. Its columns
+     * along the first axis are normal to it, but for the layers at the two ends, so that it can be
+     * stretched to a slender body.
+     */
+    template <int dim>
+    void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
+                         const unsigned int n_layers)
     {
-      cells.emplace_back();
-      for (const unsigned int v : cell->vertex_indices())
-        cells.back().vertices[v] = cell->vertex_index(v);
-      for (const unsigned int f : cell->face_indices())
-        if (cell->at_boundary(f))
-          for (unsigned int k = 0; k < n_layers; ++k)
-          {
-            const unsigned int n = GeometryInfo<dim>::vertices_per_face;
-            cells.emplace_back();
-            for (unsigned int v = 0; v < n; ++v)
-            {
-              cells.back().vertices[v]     = get_vertex(cell->face(f)->vertex_index(v), k);
-              cells.back().vertices[n + v] = get_vertex(cell->face(f)->vertex_index(v), k + 1);
-            }
-          }
-    }
-    GridTools::invert_cells_with_negative_measure(vertices, cells);
-    GridTools::consistently_order_cells(cells);
-    tria.create_triangulation(vertices, cells, SubCellData());
-  }
+      Triangulation<dim> cube;
+      Point<dim>         corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = 1.;
+      GridGenerator::subdivided_hyper_rectangle(cube, core, Point<dim>(-corner), corner);
 
-  template <int dim>
-  bool EllipticShape<dim>::has_surface() const
-  {
-    return true;
-  }
+      const CubedBall<dim>       ball(core, n_layers);
+      std::vector<Point<dim>>    vertices;
+      std::vector<CellData<dim>> cells;
+      for (const Point<dim> &p : cube.get_vertices())
+        vertices.push_back(ball.place_core(p));
+      // The vertices of the layer k beyond the surface's vertex v.
+      std::map<unsigned int, unsigned int> first;
+      const auto get_vertex = [&](const unsigned int v, const unsigned int k) {
+        if (k == 0)
+          return v;
+        const auto [entry, is_new] = first.insert({v, vertices.size()});
+        if (is_new)
+        {
+          const Point<dim>     inner = vertices[v];
+          const Tensor<1, dim> way   = ball.place_on_sphere(cube.get_vertices()[v]) - inner;
+          for (unsigned int layer = 1; layer <= n_layers; ++layer)
+            vertices.push_back(inner + static_cast<double>(layer) / n_layers * way);
+        }
+        return entry->second + k - 1;
+      };
+      for (const auto &cell : cube.active_cell_iterators())
+      {
+        cells.emplace_back();
+        for (const unsigned int v : cell->vertex_indices())
+          cells.back().vertices[v] = cell->vertex_index(v);
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            for (unsigned int k = 0; k < n_layers; ++k)
+            {
+              const unsigned int n = GeometryInfo<dim>::vertices_per_face;
+              cells.emplace_back();
+              for (unsigned int v = 0; v < n; ++v)
+              {
+                cells.back().vertices[v]     = get_vertex(cell->face(f)->vertex_index(v), k);
+                cells.back().vertices[n + v] = get_vertex(cell->face(f)->vertex_index(v), k + 1);
+              }
+            }
+      }
+      GridTools::invert_cells_with_negative_measure(vertices, cells);
+      GridTools::consistently_order_cells(cells);
+      tria.create_triangulation(vertices, cells, SubCellData());
+    }
+  } // namespace
 
   template <int dim>
   void EllipticShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
@@ -215,8 +197,8 @@ namespace caudal
   void EllipticShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                                      const std::string &, Triangulation<dim>          &tria) const
   {
-    const unsigned int        n_layers = get_n_layers(divisions);
-    std::vector<unsigned int> core     = divisions.elements;
+    std::vector<unsigned int> core = divisions.elements;
+    const unsigned int n_layers = std::max(1u, *std::min_element(core.begin() + 1, core.end()) / 5);
     for (unsigned int d = 1; d < dim; ++d)
       core[d] -= 2 * n_layers;
     make_cubed_ball(tria, core, n_layers);
@@ -238,8 +220,4 @@ namespace caudal
 
   template class EllipticShape<2>;
   template class EllipticShape<3>;
-  template void make_cubed_ball(Triangulation<2> &, const std::vector<unsigned int> &,
-                                unsigned int);
-  template void make_cubed_ball(Triangulation<3> &, const std::vector<unsigned int> &,
-                                unsigned int);
 } // namespace caudal

@@ -13,51 +13,6 @@ namespace caudal
     length = body_length;
   }
 
-  bool Gait::is_prescribed() const
-  {
-    return true;
-  }
-
-  bool Gait::is_periodic() const
-  {
-    return has_period() && shared.ramp.duration == 0.;
-  }
-
-  bool Gait::has_period() const
-  {
-    return true;
-  }
-
-  std::vector<double> Gait::get_frequencies() const
-  {
-    return shared.frequencies;
-  }
-
-  double Gait::get_beat_frequency() const
-  {
-    return is_prescribed() && has_period() ? get_frequencies()[0] : 0.;
-  }
-
-  double Gait::get_argument_rate(const double frequency) const
-  {
-    return is_periodic() ? 2. * numbers::PI * frequency : 1.;
-  }
-
-  double Gait::get_end() const
-  {
-    return std::numeric_limits<double>::max();
-  }
-
-  double Gait::get_length() const
-  {
-    return length;
-  }
-
-  unsigned int Gait::n_coordinates() const
-  {
-    return 1;
-  }
-
   GaitState Gait::evaluate(const double argument) const
   {
     return {{argument}, {1.}};
@@ -216,44 +171,33 @@ namespace caudal
   {
     // The phases at which the symmetries of a gait are looked for.
     const unsigned int n_samples = 120;
-    const double       tolerance = 1e-9;
 
-    using Samples = std::vector<std::vector<double>>;
-
-    /** Values of a function of the phase. */
-    template <class Function>
-    Samples sample(const Function &function)
+    double get_phase(const unsigned int k)
     {
-      Samples samples;
-      for (unsigned int k = 0; k < n_samples; ++k)
-        samples.push_back(function(2. * numbers::PI * k / n_samples));
-      return samples;
+      return 2. * numbers::PI * k / n_samples;
     }
 
-    /** The largest of |a_i - factor b_i|. */
-    double compute_distance(const std::vector<double> &a, const std::vector<double> &b,
-                            const double factor)
+    /** Whether a = factor b. */
+    bool are_equal(const std::vector<double> &a, const std::vector<double> &b, const double factor)
     {
-      double largest = 0.;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        largest = std::max(largest, std::abs(a[i] - factor * b[i]));
-      return largest;
+      return std::equal(a.begin(), a.end(), b.begin(), [factor](const double x, const double y) {
+        return std::abs(x - factor * y) < 1e-9;
+      });
     }
   } // namespace
 
   bool is_reciprocal(const Gait &gait)
   {
-    if (!gait.is_periodic())
-      return false;
-    const Samples shapes = sample([&](const double psi) { return gait.describe_shape(psi); });
+    std::vector<std::vector<double>> shapes;
+    for (unsigned int k = 0; k < n_samples && gait.is_periodic(); ++k)
+      shapes.push_back(gait.describe_shape(get_phase(k)));
     // Played backwards from one phase and forwards from another one it is the same.
-    for (unsigned int shift = 0; shift < n_samples; ++shift)
+    for (unsigned int shift = 0; shift < shapes.size(); ++shift)
     {
-      double distance = 0.;
-      for (unsigned int k = 0; k < n_samples && distance < tolerance; ++k)
-        distance = std::max(
-            distance, compute_distance(shapes[k], shapes[(shift + n_samples - k) % n_samples], 1.));
-      if (distance < tolerance)
+      unsigned int k = 0;
+      while (k < n_samples && are_equal(shapes[k], shapes[(shift + n_samples - k) % n_samples], 1.))
+        ++k;
+      if (k == n_samples)
         return true;
     }
     return false;
@@ -261,13 +205,10 @@ namespace caudal
 
   bool has_glide_symmetry(const Gait &gait)
   {
-    if (!gait.is_periodic())
-      return false;
-    const Samples c        = sample([&](const double psi) { return gait.evaluate(psi).c; });
-    double        distance = 0.;
-    for (unsigned int k = 0; k < n_samples; ++k)
-      distance =
-          std::max(distance, compute_distance(c[k], c[(k + n_samples / 2) % n_samples], -1.));
-    return distance < tolerance;
+    for (unsigned int k = 0; k < n_samples / 2 && gait.is_periodic(); ++k)
+      if (!are_equal(gait.evaluate(get_phase(k)).c, gait.evaluate(get_phase(k + n_samples / 2)).c,
+                     -1.))
+        return false;
+    return gait.is_periodic();
   }
 } // namespace caudal

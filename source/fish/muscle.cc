@@ -25,86 +25,12 @@ namespace caudal
   }
 
   template <int dim>
-  MuscleMemory Muscle<dim>::get_initial_memory() const
-  {
-    return {};
-  }
-
-  template <int dim>
   void Muscle<dim>::check_memory(const MuscleMemory &memory) const
   {
     AssertThrow(memory.size() == get_initial_memory().size(),
                 ExcMessage("The checkpoint holds the state of another muscle. Resume with the "
                            "parameters that wrote it."));
   }
-
-  template <int dim>
-  Contraction Muscle<dim>::contract(const MuscleMemory &memory, const SwimmerState &state,
-                                    const MuscleCommand &command) const
-  {
-    return {state.time, state.step, command, memory, memory, {}};
-  }
-
-  template <int dim>
-  bool Muscle<dim>::has_force() const
-  {
-    return false;
-  }
-
-  template <int dim>
-  bool Muscle<dim>::has_active_stress() const
-  {
-    return false;
-  }
-
-  template <int dim>
-  double Muscle<dim>::get_beat_frequency() const
-  {
-    return 0.;
-  }
-
-  template <int dim>
-  bool Muscle<dim>::can_steer() const
-  {
-    return true;
-  }
-
-  template <int dim>
-  bool Muscle<dim>::counts_from_nose() const
-  {
-    return has_force() || has_active_stress();
-  }
-
-  template <int dim>
-  Tensor<1, dim> Muscle<dim>::force_density(const Contraction &, const MaterialPoint<dim> &,
-                                            const double) const
-  {
-    return Tensor<1, dim>();
-  }
-
-  template <int dim>
-  Tensor<2, dim> Muscle<dim>::active_stress(const Contraction &, const MaterialPoint<dim> &,
-                                            const double) const
-  {
-    return Tensor<2, dim>();
-  }
-
-  template <int dim>
-  double Muscle<dim>::activation(const Contraction &) const
-  {
-    return 0.;
-  }
-
-  template <int dim>
-  bool Muscle<dim>::acts_in(const types::material_id region) const
-  {
-    return active_regions.empty() || active_regions.count(region) > 0;
-  }
-
-  template <int dim>
-  MuscleParameters<dim>::MuscleParameters()
-      : type("Type", "none", "What drives the body")
-  {}
 
   template <int dim>
   void MuscleParameters<dim>::add_parameters(ParameterHandler &prm)
@@ -136,16 +62,6 @@ namespace caudal
                        "Give a duration that is not negative [s].");
     BodyFunction(section + "/Force distribution", "s,y", shared.force_distribution).check_along();
     type.check(section);
-  }
-
-  template <int dim>
-  std::unique_ptr<Muscle<dim>>
-  MuscleParameters<dim>::create(const double                                     length,
-                                const std::map<std::string, types::material_id> &region_ids) const
-  {
-    std::unique_ptr<Muscle<dim>> muscle = type.create();
-    muscle->set_up(shared, length, region_ids);
-    return muscle;
   }
 
   namespace

@@ -4,10 +4,12 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string.hpp>
+#include <boost/lexical_cast.hpp>
+
 #include <cctype>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 namespace caudal
 {
@@ -19,26 +21,14 @@ namespace caudal
     std::vector<std::string> split_fields(const std::string &line)
     {
       std::vector<std::string> fields;
-      std::istringstream       stream(line);
-      if (line.find(',') == std::string::npos)
-      {
-        for (std::string field; stream >> field;)
-          fields.push_back(field);
-        return fields;
-      }
       // An entry that is missing between two commas is to be seen as such.
-      for (std::string field; std::getline(stream, field, ',');)
-        fields.push_back(Utilities::trim(field));
-      if (line.back() == ',')
-        fields.emplace_back();
+      if (line.find(',') != std::string::npos)
+        boost::split(fields, line, boost::is_any_of(","));
+      else if (!line.empty())
+        boost::split(fields, line, boost::is_space(), boost::token_compress_on);
+      for (std::string &field : fields)
+        boost::trim(field);
       return fields;
-    }
-
-    bool is_number(const std::string &field, double &value)
-    {
-      char *end = nullptr;
-      value     = std::strtod(field.c_str(), &end);
-      return !field.empty() && *end == '\0';
     }
 
     NumberTable::Row parse_row(const std::string &place, const std::vector<std::string> &fields,
@@ -60,7 +50,7 @@ namespace caudal
   {
     double value = 0.;
     AssertThrow(
-        is_number(field, value) && std::isfinite(value),
+        boost::conversion::try_lexical_convert(field, value) && std::isfinite(value),
         ExcMessage(place + "<" + field + "> is not a finite number. Give one, or remove the row."));
     return value;
   }
@@ -84,7 +74,7 @@ namespace caudal
       const std::vector<std::string> fields = split_fields(line);
       double                         value;
       if (table.rows.empty() && table.header.empty() && std::isalpha(line[0]) &&
-          !is_number(fields[0], value))
+          !boost::conversion::try_lexical_convert(fields[0], value))
       {
         table.header       = fields;
         table.header_place = place;

@@ -3,22 +3,13 @@
 
 #include <caudal/fish/outline.h>
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace caudal
 {
-  double Outline::camber(const double) const
-  {
-    return 0.;
-  }
-
-  double Outline::camber_slope(const double) const
-  {
-    return 0.;
-  }
-
   Point<2> Outline::point(const double s, const double eta) const
   {
     const double slope = camber_slope(s);
@@ -28,58 +19,132 @@ namespace caudal
 
   namespace
   {
-    /** The zero of a function that is negative at @p a and positive at @p b. */
-    double bisect(const std::function<double(double)> &f, double a, double b)
-    {
-      while (std::abs(b - a) > 1e-14)
-      {
-        const double middle      = 0.5 * (a + b);
-        (f(middle) < 0. ? a : b) = middle;
-      }
-      return 0.5 * (a + b);
-    }
-
     Point<2> interpolate(const Point<2> &a, const Point<2> &b, const double fraction)
     {
       return a + fraction * (b - a);
     }
-  } // namespace
 
-  // A layer takes a fifth of the body's thickness on each side. The cap in front
-  // of the core is made as thick as the layers beside it.
-  Nose::Nose(const Outline &outline, const unsigned int n_across)
-      : n_layers(std::max(1u, n_across / 5))
-      , n_core(n_across - 2 * n_layers)
-  {
-    AssertThrow(n_across >= 4, ExcMessage("A round nose needs four cells across."));
-    const double eta    = static_cast<double>(n_core) / n_across;
-    const double s_tiny = 1e-12;
-
-    core = bisect([&](const double s) { return s - (1. - eta) * outline.half_thickness(s); },
-                  s_tiny, 0.5);
-
-    const double corner = eta * outline.half_thickness(core);
-    shoulder =
-        bisect([&](const double s) { return (outline.half_thickness(s) - corner) - (core - s); },
-               0., core);
-  }
-
-  namespace
-  {
-    /** The grid of make_outline_grid() as lists of vertices (unit length) and cells. */
-    struct OutlineGrid
+    /**
+     * The C-shaped grid round an outline's nose: the outermost layers of cells wrap round the
+     * front of a core of cells. The core's front edge lies at the station @p core, and the
+     * diagonals from its two corners meet the outline, under 45 degrees, at the station
+     * @p shoulder. So no cell has two edges on the smooth outline, hence none a corner near 180
+     * degrees.
+     *
+     * A layer takes a fifth of the body's thickness on each side. The cap in front of the core is
+     * made as thick as the layers beside it.
+     */
+    struct Nose
     {
-      OutlineGrid(const Outline &outline, const std::vector<double> &region_boundaries,
-                  const unsigned int n_along, const unsigned int n_across);
+      Nose(const Outline &outline, const unsigned int n_across)
+          : n_layers(std::max(1u, n_across / 5))
+          , n_core(n_across - 2 * n_layers)
+      {
+        const auto find_zero = [](const auto &f, const double a, const double b) {
+          const auto [low, high] = boost::math::tools::bisect(
+              f, a, b, [](const double x, const double y) { return y - x <= 1e-14; });
+          return 0.5 * (low + high);
+        };
+        AssertThrow(n_across >= 4, ExcMessage("A round nose needs four cells across."));
+        const double eta = static_cast<double>(n_core) / n_across;
+        core = find_zero([&](const double s) { return s - (1. - eta) * outline.half_thickness(s); },
+                         1e-12, 0.5);
+        const double corner = eta * outline.half_thickness(core);
+        shoulder            = find_zero(
+            [&](const double s) { return (outline.half_thickness(s) - corner) - (core - s); }, 0.,
+            core);
+      }
+
+      const unsigned int n_layers, n_core;
+      double             core, shoulder;
+    };
+
+    /** The grid of a SlenderShape as lists of vertices (unit length) and cells. */
+    class OutlineGrid
+    {
+    public:
+      OutlineGrid(const Outline &outline, const GridDivisions &divisions)
+          : outline(outline)
+          , region_boundaries(divisions.region_boundaries)
+          , n_along(divisions.elements[0])
+          , n_across(divisions.elements[1])
+          , nose(outline, n_across)
+      {
+        add_strip();
+        add_cap();
+      }
 
       std::vector<Point<2>>    vertices;
       std::vector<CellData<2>> cells;
 
     private:
-      void add_strip(const Outline &outline, const std::vector<double> &region_boundaries,
-                     const unsigned int n_along, const unsigned int n_across);
+      // Grid lines across the body are straight in the core. In the layers they
+      // lean forward, from 45 degrees at the nose to nothing ten noses further, at
+      // the end of the first region at the latest.
+      void add_strip()
+      {
+        const std::vector<double> stations = compute_columns(nose.core, region_boundaries, n_along);
+        const double              fade_end =
+            std::min(10. * nose.core, region_boundaries.empty() ? 1. : region_boundaries.front());
+        const double core_eta = static_cast<double>(nose.n_core) / n_across;
 
-      void add_cap(const Outline &outline, const unsigned int n_across);
+        for (const double s : stations)
+        {
+          const double lean =
+              (nose.core - nose.shoulder) * std::max(0., (fade_end - s) / (fade_end - nose.core));
+          for (unsigned int j = 0; j <= n_across; ++j)
+          {
+            const int    outward = 2 * static_cast<int>(j) - static_cast<int>(n_across);
+            const int    layer   = (std::abs(outward) - static_cast<int>(nose.n_core)) / 2;
+            const double side    = outward < 0 ? -1. : 1.;
+            if (layer <= 0)
+              vertices.push_back(outline.point(s, static_cast<double>(outward) / n_across));
+            else
+              vertices.push_back(interpolate(outline.point(s, side * core_eta),
+                                             outline.point(s - lean, side),
+                                             static_cast<double>(layer) / nose.n_layers));
+          }
+        }
+
+        for (unsigned int i = 0; i < n_along; ++i)
+          for (unsigned int j = 0; j < n_across; ++j)
+          {
+            const unsigned int corner = i * (n_across + 1) + j;
+            add_cell({corner, corner + n_across + 1, corner + 1, corner + n_across + 2},
+                     get_region(0.5 * (stations[i] + stations[i + 1]), region_boundaries));
+          }
+      }
+
+      // The cap lies between the core's front edge (k = 0) and the outline
+      // (k = n_layers). Its first and last line are the strip's first column.
+      void add_cap()
+      {
+        const unsigned int n_layers = nose.n_layers, n_core = nose.n_core;
+        const unsigned int first_new = vertices.size();
+
+        for (unsigned int k = 1; k <= n_layers; ++k)
+          for (unsigned int j = 1; j < n_core; ++j)
+          {
+            // u^2 instead of u spaces the points evenly on a parabolic nose.
+            const double u = -1. + 2. * j / n_core;
+            vertices.push_back(interpolate(vertices[n_layers + j],
+                                           outline.point(nose.shoulder * u * u, u < 0. ? -1. : 1.),
+                                           static_cast<double>(k) / n_layers));
+          }
+
+        const auto vertex = [&](const unsigned int k, const unsigned int j) {
+          if (k == 0)
+            return n_layers + j;
+          if (j == 0)
+            return n_layers - k;
+          if (j == n_core)
+            return n_across - n_layers + k;
+          return first_new + (k - 1) * (n_core - 1) + (j - 1);
+        };
+        for (unsigned int k = 0; k < n_layers; ++k)
+          for (unsigned int j = 0; j < n_core; ++j)
+            add_cell({vertex(k + 1, j), vertex(k, j), vertex(k + 1, j + 1), vertex(k, j + 1)}, 0);
+      }
 
       void add_cell(const std::vector<unsigned int> &corners, const types::material_id region)
       {
@@ -88,110 +153,12 @@ namespace caudal
         cells.back().material_id = region;
       }
 
-      const Nose nose;
+      const Outline             &outline;
+      const std::vector<double> &region_boundaries;
+      const unsigned int         n_along, n_across;
+      const Nose                 nose;
     };
-
-    OutlineGrid::OutlineGrid(const Outline &outline, const std::vector<double> &region_boundaries,
-                             const unsigned int n_along, const unsigned int n_across)
-        : nose(outline, n_across)
-    {
-      add_strip(outline, region_boundaries, n_along, n_across);
-      add_cap(outline, n_across);
-    }
-
-    // Grid lines across the body are straight in the core. In the layers they
-    // lean forward, from 45 degrees at the nose to nothing ten noses further, at
-    // the end of the first region at the latest.
-    void OutlineGrid::add_strip(const Outline             &outline,
-                                const std::vector<double> &region_boundaries,
-                                const unsigned int n_along, const unsigned int n_across)
-    {
-      const std::vector<double> stations = compute_columns(nose.core, region_boundaries, n_along);
-      const double              fade_end =
-          std::min(10. * nose.core, region_boundaries.empty() ? 1. : region_boundaries.front());
-      const double core_eta = static_cast<double>(nose.n_core) / n_across;
-
-      for (const double s : stations)
-      {
-        const double lean =
-            (nose.core - nose.shoulder) * std::max(0., (fade_end - s) / (fade_end - nose.core));
-        for (unsigned int j = 0; j <= n_across; ++j)
-        {
-          const int    outward = 2 * static_cast<int>(j) - static_cast<int>(n_across);
-          const int    layer   = (std::abs(outward) - static_cast<int>(nose.n_core)) / 2;
-          const double side    = outward < 0 ? -1. : 1.;
-          if (layer <= 0)
-            vertices.push_back(outline.point(s, static_cast<double>(outward) / n_across));
-          else
-            vertices.push_back(interpolate(outline.point(s, side * core_eta),
-                                           outline.point(s - lean, side),
-                                           static_cast<double>(layer) / nose.n_layers));
-        }
-      }
-
-      for (unsigned int i = 0; i < n_along; ++i)
-        for (unsigned int j = 0; j < n_across; ++j)
-        {
-          const unsigned int corner = i * (n_across + 1) + j;
-          add_cell({corner, corner + n_across + 1, corner + 1, corner + n_across + 2},
-                   get_region(0.5 * (stations[i] + stations[i + 1]), region_boundaries));
-        }
-    }
-
-    // The cap lies between the core's front edge (k = 0) and the outline
-    // (k = n_layers). Its first and last line are the strip's first column.
-    void OutlineGrid::add_cap(const Outline &outline, const unsigned int n_across)
-    {
-      const unsigned int n_layers = nose.n_layers, n_core = nose.n_core;
-      const unsigned int first_new = vertices.size();
-
-      for (unsigned int k = 1; k <= n_layers; ++k)
-        for (unsigned int j = 1; j < n_core; ++j)
-        {
-          // u^2 instead of u spaces the points evenly on a parabolic nose.
-          const double u = -1. + 2. * j / n_core;
-          vertices.push_back(interpolate(vertices[n_layers + j],
-                                         outline.point(nose.shoulder * u * u, u < 0. ? -1. : 1.),
-                                         static_cast<double>(k) / n_layers));
-        }
-
-      const auto vertex = [&](const unsigned int k, const unsigned int j) {
-        if (k == 0)
-          return n_layers + j;
-        if (j == 0)
-          return n_layers - k;
-        if (j == n_core)
-          return n_across - n_layers + k;
-        return first_new + (k - 1) * (n_core - 1) + (j - 1);
-      };
-      for (unsigned int k = 0; k < n_layers; ++k)
-        for (unsigned int j = 0; j < n_core; ++j)
-          add_cell({vertex(k + 1, j), vertex(k, j), vertex(k + 1, j + 1), vertex(k, j + 1)}, 0);
-    }
   } // namespace
-
-  void make_outline_grid(Triangulation<2> &tria, const Outline &outline, const double length,
-                         const std::vector<double> &region_boundaries, const unsigned int n_along,
-                         const unsigned int n_across)
-  {
-    OutlineGrid grid(outline, region_boundaries, n_along, n_across);
-    for (Point<2> &vertex : grid.vertices)
-      vertex *= length;
-    GridTools::consistently_order_cells(grid.cells);
-    tria.create_triangulation(grid.vertices, grid.cells, SubCellData());
-  }
-
-  template <int dim>
-  bool SlenderShape<dim>::has_grid() const
-  {
-    return dim == 2;
-  }
-
-  template <int dim>
-  void SlenderShape<dim>::check_lengths(const ShapeLengths &lengths, const std::string &path) const
-  {
-    require_positive(lengths.length, path, "Length");
-  }
 
   template <int dim>
   void SlenderShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
@@ -212,8 +179,14 @@ namespace caudal
                                     const std::string &, Triangulation<dim>          &tria) const
   {
     if constexpr (dim == 2)
-      make_outline_grid(tria, *make_outline(), lengths.length, divisions.region_boundaries,
-                        divisions.elements[0], divisions.elements[1]);
+    {
+      const auto  outline = make_outline();
+      OutlineGrid grid(*outline, divisions);
+      for (Point<2> &vertex : grid.vertices)
+        vertex *= lengths.length;
+      GridTools::consistently_order_cells(grid.cells);
+      tria.create_triangulation(grid.vertices, grid.cells, SubCellData());
+    }
   }
 
   template class SlenderShape<2>;

@@ -25,7 +25,7 @@ namespace caudal
     protected:
       std::pair<double, double> get_angle(const double s, const double u) const override
       {
-        const double A = amplitude * numbers::PI / 180. * shared.get_envelope(s);
+        const double A = amplitude * numbers::PI / 180. * (1. - shared.growth + shared.growth * s);
         return {A * std::sin(u), A * std::cos(u)};
       }
 

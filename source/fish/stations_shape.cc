@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fish/elliptic_body.h>
 #include <caudal/fish/number_table.h>
-#include <caudal/fish/profile.h>
+#include <caudal/fish/spline.h>
 
 #include <cmath>
 
@@ -16,8 +16,8 @@ namespace caudal
     };
 
     /** ln g through ln(a_i/E(s_i)) for one of the half-axes. */
-    Profile make_profile(const std::vector<Station> &stations, const double length,
-                         double Station::*axis, const bool limited)
+    Spline make_profile(const std::vector<Station> &stations, const double length,
+                        double Station::*axis, const Spline::Kind kind)
     {
       std::vector<double> s, values;
       for (const Station &station : stations)
@@ -25,30 +25,31 @@ namespace caudal
         s.push_back(station.s);
         values.push_back(std::log(station.*axis / EllipticBody::get_end_factor(station.s, length)));
       }
-      return Profile(s, values, limited);
+      return Spline(s, values, kind);
     }
 
     /**
-     * A body through half-axes a_i, b_i at stations s_i: g_a = exp(p(s)) with p the Profile
+     * A body through half-axes a_i, b_i at stations s_i: g_a = exp(p(s)) with p the Spline
      * through ln(a_i/E(s_i)), and g_b likewise. It has round ends, is positive and, if the
      * profile is limited, without bulges between the stations.
      */
     class StationBody : public EllipticBody
     {
     public:
-      StationBody(const std::vector<Station> &stations, const double length, const bool limited)
+      StationBody(const std::vector<Station> &stations, const double length,
+                  const Spline::Kind kind)
           : EllipticBody(length)
-          , log_ga(make_profile(stations, length, &Station::a, limited))
-          , log_gb(make_profile(stations, length, &Station::b, limited))
+          , log_ga(make_profile(stations, length, &Station::a, kind))
+          , log_gb(make_profile(stations, length, &Station::b, kind))
       {}
 
     private:
       std::pair<double, double> get_scales(const double s) const override
       {
-        return {std::exp(log_ga.value(s)), std::exp(log_gb.value(s))};
+        return {std::exp(log_ga.evaluate(s).first), std::exp(log_gb.evaluate(s).first)};
       }
 
-      const Profile log_ga, log_gb;
+      const Spline log_ga, log_gb;
     };
 
     template <int dim>
@@ -85,7 +86,8 @@ namespace caudal
       std::unique_ptr<StraightBody> make_straight_body(const ShapeLengths &lengths) const override
       {
         return std::make_unique<StationBody>(read("Shape/Stations", lengths.length), lengths.length,
-                                             interpolation == "limited");
+                                             interpolation == "limited" ? Spline::Kind::limited
+                                                                        : Spline::Kind::natural);
       }
 
     private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/fish/cubic_spline.h>
 #include <caudal/fish/joint_gait.h>
 #include <caudal/fish/number_table.h>
+#include <caudal/fish/spline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,8 @@ namespace caudal
           std::vector<double> angles;
           for (const auto &row : table.rows)
             angles.push_back(row.values[i] * degree);
-          splines.push_back(std::make_shared<CubicSpline>(times, angles, periodic));
+          splines.push_back(std::make_shared<Spline>(
+              times, angles, periodic ? Spline::Kind::periodic : Spline::Kind::natural));
         }
       }
 
@@ -74,10 +75,13 @@ namespace caudal
       GaitState evaluate_stroke(const double argument) const override
       {
         const double scale = periodic ? (end - start) / (2. * numbers::PI) : 1.;
-        GaitState    state;
+        double       time  = start + scale * argument;
+        if (!periodic)
+          time = std::clamp(time, start, end);
+        GaitState state;
         for (const auto &spline : splines)
         {
-          const auto [angle, rate] = spline->evaluate(start + scale * argument);
+          const auto [angle, rate] = spline->evaluate(time);
           state.c.push_back(angle + shared.bias * degree);
           state.rates.push_back(rate * scale);
         }
@@ -120,10 +124,10 @@ namespace caudal
         return table;
       }
 
-      std::string                                     file;
-      bool                                            periodic = true;
-      double                                          start = 0., end = 1.; // [s]
-      std::vector<std::shared_ptr<const CubicSpline>> splines;              // by joint
+      std::string                                file;
+      bool                                       periodic = true;
+      double                                     start = 0., end = 1.; // [s]
+      std::vector<std::shared_ptr<const Spline>> splines;              // by joint
     };
 
     const Registration<Gait, TableGait> registration("table", "joint angles from a control file");

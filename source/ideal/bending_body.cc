@@ -45,21 +45,6 @@ namespace caudal::ideal
     station_spine = std::make_unique<Spine>(gait, stations);
   }
 
-  unsigned int BendingBody::n_modes() const
-  {
-    return gait.n_coordinates();
-  }
-
-  bool BendingBody::is_symmetric() const
-  {
-    return symmetric;
-  }
-
-  double BendingBody::get_length() const
-  {
-    return length;
-  }
-
   SurfaceMotion BendingBody::place(const std::vector<double> &c) const
   {
     const std::vector<SpinePoint> spine = node_spine->bend(c);

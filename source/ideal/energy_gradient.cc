@@ -2,7 +2,6 @@
 // The derivative of the fluid's energy with respect to the shape, by the adjoint equations.
 
 #include <caudal/ideal/exterior_flow.h>
-#include <caudal/ideal/laplace_kernel.h>
 
 #include <deal.II/base/timer.h>
 

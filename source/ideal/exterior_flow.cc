@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/exterior_flow.h>
-#include <caudal/ideal/laplace_kernel.h>
 
 #include <deal.II/base/timer.h>
 
@@ -91,16 +90,11 @@ namespace caudal::ideal
 
   void ExteriorFlow::compute_velocities()
   {
-    velocities.resize(6, std::vector<Tensor<1, 3>>(surface.n_nodes()));
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int l = 0; l < 6; ++l)
     {
-      Tensor<1, 3> axis;
-      axis[d] = 1.;
-      for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-      {
-        velocities[d][i]     = cross_product_3d(axis, Tensor<1, 3>(motion.positions[i]));
-        velocities[3 + d][i] = axis;
-      }
+      Screw unit;
+      unit[l] = 1.;
+      velocities.push_back(motion.compute_velocities(unit, {}, 0.));
     }
     velocities.insert(velocities.end(), motion.modes.begin(), motion.modes.end());
   }

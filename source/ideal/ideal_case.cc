@@ -53,26 +53,6 @@ namespace caudal
     return bend;
   }
 
-  bool IdealCase::uses_table() const
-  {
-    return parameters.integration.method == "table" && gait->is_periodic();
-  }
-
-  bool IdealCase::is_rigid() const
-  {
-    return deformation->n_modes() == 0;
-  }
-
-  bool IdealCase::has_strokes() const
-  {
-    return gait->is_periodic() && !is_rigid();
-  }
-
-  bool IdealCase::is_from_rest() const
-  {
-    return parameters.body.is_from_rest() && !parameters.resistance.active && !is_rigid();
-  }
-
   Torques IdealCase::get_torques() const
   {
     if (!parameters.integration.torques || is_rigid())
@@ -83,11 +63,6 @@ namespace caudal
   double IdealCase::compute_volume() const
   {
     return deformation->compute_body_mass(gait->evaluate(0.).c)(3, 3);
-  }
-
-  double IdealCase::compute_mass() const
-  {
-    return compute_volume() * parameters.get_densities().body;
   }
 
   void IdealCase::print_summary(std::ostream &out) const

@@ -2,7 +2,6 @@
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/ideal/ideal_swimmer.h>
-#include <caudal/ideal/phase_table.h>
 #include <caudal/ideal/resistance.h>
 #include <caudal/ideal/swim.h>
 #include <caudal/ideal/swim_summary.h>
@@ -44,22 +43,6 @@ namespace caudal
                        the_case.uses_table() ? MPI_COMM_SELF : communicator)
       , checkpoints(parameters.checkpoint, communicator)
   {}
-
-  void IdealSwimmer::check(std::ostream &out, bool /*fast*/) const
-  {
-    the_case.print_summary(out);
-    out << "No problems found.\n";
-  }
-
-  void IdealSwimmer::set_parameter_values(const ParameterValues &values)
-  {
-    state.parameters = values;
-  }
-
-  void IdealSwimmer::resume_from(IdealState resumed)
-  {
-    state = std::move(resumed);
-  }
 
   std::string IdealSwimmer::get_suffix(const double frequency) const
   {
@@ -129,8 +112,8 @@ namespace caudal
     const std::string suffix  = get_suffix(frequency);
     const Instants    instants(parameters.time.get_times(),
                             the_case.has_strokes() ? 1. / frequency : 0.);
-    MotionTable       table(is_root ? output.folder.path(get_table_name(suffix)) : "",
-                      swim_state.has_begun() ? swim_state.last.time : -1.);
+    Statistics        table(is_root ? output.folder.path(get_table_name(suffix)) : "",
+                     swim_state.has_begun() ? swim_state.last.time : -1.);
     SurfaceOutput surface(swimming_shape, model, output.fields, get_block_name(suffix),
                           parameters.output.n_subdivisions);
     Swim swim(problem, instants, the_case.get_torques() != Torques::none, parameters.output, table,
@@ -202,7 +185,7 @@ namespace caudal
     const auto model      = create_model(log);
     const bool is_resumed = !state.swims.empty();
     Output     output{folder, log,
-                  FieldOutput(folder.path(), parameters.output.get_format(), communicator,
+                  FieldOutput(folder.path(), parameters.output.format, communicator,
                               is_resumed ? std::numeric_limits<double>::infinity() : -1.)};
     if (is_resumed)
       remove_later_results(output);

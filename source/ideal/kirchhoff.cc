@@ -31,12 +31,6 @@ namespace caudal::ideal
       return Quaternion(0., V[0], V[1], V[2]);
     }
 
-    Tensor<1, 3> rotate_by(const Quaternion &q, const Tensor<1, 3> &V)
-    {
-      const auto result = get_components(q * make_imaginary(V) * boost::math::conj(q));
-      return Tensor<1, 3>({result[1], result[2], result[3]});
-    }
-
     OdeState pack(const BodyState &body, const double length)
     {
       OdeState state;
@@ -67,10 +61,9 @@ namespace caudal::ideal
       const double    argument = problem.rate * time;
       const Screw     velocity =
           problem.model->compute_motion(argument).compute_velocity(body.impulse, problem.rate);
-      const Screw external =
-          problem.force ? problem.force({argument, problem.rate, velocity}).screw : Screw();
       BodyState rate;
-      rate.impulse = compute_impulse_rate(body.impulse, velocity, external);
+      rate.impulse = compute_impulse_rate(body.impulse, velocity,
+                                          problem.force({argument, problem.rate, velocity}).screw);
       rate.quaternion =
           get_components(0.5 * normalise(body.quaternion) * make_imaginary(get_angular(velocity)));
       rate.position = body.rotate(get_linear(velocity));
@@ -88,12 +81,9 @@ namespace caudal::ideal
 
   Tensor<1, 3> BodyState::rotate(const Tensor<1, 3> &V) const
   {
-    return rotate_by(normalise(quaternion), V);
-  }
-
-  Tensor<1, 3> BodyState::rotate_back(const Tensor<1, 3> &V) const
-  {
-    return rotate_by(boost::math::conj(normalise(quaternion)), V);
+    const Quaternion q      = normalise(quaternion);
+    const auto       result = get_components(q * make_imaginary(V) * boost::math::conj(q));
+    return Tensor<1, 3>({result[1], result[2], result[3]});
   }
 
   BodyState advance_motion(const MotionProblem &problem, const BodyState &body, const double time,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/ideal/mesh_body.h>
-#include <caudal/ideal/surface_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +22,6 @@ namespace caudal::ideal
     }
   }
 
-  double MeshBody::get_length() const
-  {
-    return tail - nose;
-  }
-
-  Point<3> MeshBody::place(const Point<3> &reference) const
-  {
-    return Point<3>(reference[0] - nose, reference[1], reference[2]);
-  }
-
   double MeshBody::half_width(const double s) const
   {
     double width = 0.;
@@ -43,19 +33,18 @@ namespace caudal::ideal
 
   std::vector<BodySlice> MeshBody::compute_slices() const
   {
-    const ReferenceRule    rule(QGauss<2>(3), surface.get_fe());
+    FEValues<2, 3>         at(surface.get_fe(), QGauss<2>(3),
+                              update_quadrature_points | update_normal_vectors | update_JxW_values);
     std::vector<BodySlice> slices;
-    for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+    for (const auto &cell : surface.get_dof_handler().active_cell_iterators())
     {
-      CellArray<Point<3>> nodes;
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        nodes[k] = place(surface.get_reference_points()[surface.get_nodes(cell)[k]]);
-      const PlacedRule at(rule, nodes);
-      for (unsigned int q = 0; q < rule.size(); ++q)
+      at.reinit(cell);
+      for (const unsigned int q : at.quadrature_point_indices())
       {
-        const double y = at.points[q][1], z = at.points[q][2], N = at.areas[q][1];
-        BodySlice    slice;
-        slice.s             = at.points[q][0];
+        const Point<3> point = place(at.quadrature_point(q));
+        const double   y = point[1], z = point[2], N = at.JxW(q) * at.normal_vector(q)[1];
+        BodySlice      slice;
+        slice.s             = point[0];
         slice.moments[0][0] = N * y;
         slice.moments[0][1] = N * y * y / 2.;
         slice.moments[0][2] = N * y * z;
@@ -66,10 +55,5 @@ namespace caudal::ideal
       }
     }
     return slices;
-  }
-
-  bool MeshBody::is_symmetric() const
-  {
-    return false; // not known
   }
 } // namespace caudal::ideal

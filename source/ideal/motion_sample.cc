@@ -28,12 +28,12 @@ namespace caudal::ideal
     sample.centre  = body.position + body.rotate(state.centre);
     sample.centre_velocity =
         body.rotate(get_linear(q) + cross_product_3d(get_angular(q), state.centre) +
-                    rate * model.compute_centre_rate(argument));
+                    rate * model.compute_state_rate(argument).centre);
     sample.energy = 0.5 * (q * (state.motion.mass * q)) + rate * (q * state.motion.momentum) +
                     rate * rate * state.deformation_energy;
     if (has_torques)
     {
-      const Load load = problem.force ? problem.force({argument, rate, q}) : Load();
+      const Load load = problem.force({argument, rate, q});
       sample.torques  = model.compute_torques(
            argument, {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
       for (std::size_t i = 0; i < sample.torques.size(); ++i)
@@ -70,21 +70,6 @@ namespace caudal::ideal
     for (double &torque : result.largest_torques)
       torque *= square;
     return result;
-  }
-
-  double EnergyAverages::mean_energy() const
-  {
-    return energy / duration;
-  }
-
-  double EnergyAverages::mean_positive_power() const
-  {
-    return positive_work / duration;
-  }
-
-  double EnergyAverages::mean_gross_power() const
-  {
-    return gross_work / duration;
   }
 
   EnergyAverages average_stroke(StrokeModel &model, const unsigned int n_phases,

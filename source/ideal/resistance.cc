@@ -82,7 +82,7 @@ namespace caudal::ideal
                                   const SwimmingShape        &shape)
   {
     if (!parameters.active)
-      return {};
+      return [](const MotionInstant &) { return Load(); };
     const auto rule = std::make_shared<ReferenceRule>(QGauss<2>(2), shape.surface.get_fe());
     return [parameters, &shape, rule](const MotionInstant &instant) {
       const GaitState     gait   = shape.gait.evaluate(instant.argument);

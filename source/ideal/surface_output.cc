@@ -2,6 +2,7 @@
 #include <caudal/ideal/surface_output.h>
 
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_fe_field.h>
 #include <deal.II/numerics/data_out.h>
 
@@ -22,7 +23,7 @@ namespace caudal::ideal
      * grad phi being composed of its tangential part, by differentiation along the surface and
      * averaged over the cells that meet in a node, and of the given normal part u.n.
      */
-    SurfaceFields compute_surface_fields(const Surface &surface, const std::vector<Point<3>> &nodes,
+    SurfaceFields compute_surface_fields(const Mapping<2, 3> &mapping, const Surface &surface,
                                          const std::vector<Tensor<1, 3>> &node_velocities,
                                          const Vector<double>            &potential,
                                          const Vector<double> &potential_rate, const double density)
@@ -30,30 +31,19 @@ namespace caudal::ideal
       const unsigned int        n = surface.n_nodes();
       SurfaceFields             fields{Vector<double>(n), std::vector<Tensor<1, 3>>(n)};
       std::vector<unsigned int> n_cells(n, 0);
-      const ReferenceRule       at_nodes(Quadrature<2>(surface.get_fe().get_unit_support_points()),
-                                         surface.get_fe());
-      for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
+      FEValues<2, 3>            at_nodes(mapping, surface.get_fe(),
+                                         Quadrature<2>(surface.get_fe().get_unit_support_points()),
+                                         update_gradients | update_normal_vectors);
+      std::vector<Tensor<1, 3>> gradients(at_nodes.n_quadrature_points);
+      for (const auto &cell : surface.get_dof_handler().active_cell_iterators())
       {
-        const auto &cell_nodes = surface.get_nodes(cell);
-        for (unsigned int q = 0; q < cell_nodes.size(); ++q)
+        at_nodes.reinit(cell);
+        at_nodes.get_function_gradients(potential, gradients);
+        for (const unsigned int q : at_nodes.quadrature_point_indices())
         {
-          Tensor<1, 3> along_x, along_y;
-          Tensor<1, 2> derivative;
-          for (unsigned int k = 0; k < cell_nodes.size(); ++k)
-          {
-            const Tensor<1, 2> &gradient = at_nodes.gradients[q][k];
-            along_x += gradient[0] * nodes[cell_nodes[k]];
-            along_y += gradient[1] * nodes[cell_nodes[k]];
-            derivative += potential(cell_nodes[k]) * gradient;
-          }
-          Tensor<1, 3> normal = cross_product_3d(along_x, along_y);
-          const double area   = normal.norm();
-          normal /= area;
-          const Tensor<1, 3> dual_x = cross_product_3d(along_y, normal) / area;
-          const Tensor<1, 3> dual_y = cross_product_3d(normal, along_x) / area;
-          const auto         node   = cell_nodes[q];
-          fields.velocity[node] += derivative[0] * dual_x + derivative[1] * dual_y +
-                                   (node_velocities[node] * normal) * normal;
+          const auto          node   = surface.get_nodes(cell->active_cell_index())[q];
+          const Tensor<1, 3> &normal = at_nodes.normal_vector(q);
+          fields.velocity[node] += gradients[q] + (node_velocities[node] * normal) * normal;
           ++n_cells[node];
         }
       }
@@ -130,9 +120,9 @@ namespace caudal::ideal
   {
     const double rate      = problem.rate;
     const double increment = 1e-4 / rate;
-    const Screw  external =
-        problem.force ? problem.force({rate * sample.time, rate, sample.velocity}).screw : Screw();
-    const Screw impulse_rate = compute_impulse_rate(sample.body.impulse, sample.velocity, external);
+    const Screw  impulse_rate =
+        compute_impulse_rate(sample.body.impulse, sample.velocity,
+                             problem.force({rate * sample.time, rate, sample.velocity}).screw);
     Vector<double> difference =
         compute_potential(sample, impulse_rate, sample.time + increment, rate);
     difference -= compute_potential(sample, impulse_rate, sample.time - increment, rate);
@@ -157,15 +147,15 @@ namespace caudal::ideal
       places.emplace_back(sample.body.position + sample.body.rotate(X));
       velocities[node] = sample.body.rotate(velocities[node]);
     }
-    const Vector<double> potential = compute_potential(sample, Screw(), sample.time, rate);
-    const SurfaceFields  flow =
-        compute_surface_fields(shape.surface, places, velocities, potential,
-                               compute_potential_rate(sample, problem), shape.densities.fluid);
-
+    const Vector<double> potential   = compute_potential(sample, Screw(), sample.time, rate);
     const Vector<double> place_field = make_field(vectors, shape.surface, places);
     const MappingFEField<2, 3, Vector<double>> mapping(vectors, place_field);
-    DataOut<2, 3>                              data_out;
-    const auto                                &scalars = shape.surface.get_dof_handler();
+    const SurfaceFields                        flow =
+        compute_surface_fields(mapping, shape.surface, velocities, potential,
+                               compute_potential_rate(sample, problem), shape.densities.fluid);
+
+    DataOut<2, 3> data_out;
+    const auto   &scalars = shape.surface.get_dof_handler();
     const std::vector<DataComponentInterpretation::DataComponentInterpretation> is_vector(
         3, DataComponentInterpretation::component_is_part_of_vector);
     data_out.add_data_vector(scalars, potential, "potential");

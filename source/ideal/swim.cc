@@ -11,7 +11,41 @@ namespace caudal
   namespace
   {
     const double tolerance = 1e-9; // relative to the end: times that differ by rounding are one
-  }
+
+    void write_row(Statistics &table, const SwimState &swim)
+    {
+      const auto set_vector = [&table](const std::string &quantity, const std::string &unit,
+                                       const Tensor<1, 3> &vector) {
+        for (unsigned int d = 0; d < 3; ++d)
+          table.set(std::string(1, "xyz"[d]) + " of " + quantity, unit, vector[d]);
+      };
+      const auto set_modes = [&table](const std::string &quantity, const std::string &unit,
+                                      const std::vector<double> &values) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+          table.set(quantity + " of mode " + std::to_string(i + 1), unit, values[i]);
+      };
+      const MotionSample &sample = swim.last;
+      table.set("time", "s", sample.time);
+      set_vector("nose", "m", sample.body.position);
+      for (unsigned int i = 0; i < 4; ++i)
+        table.set("quaternion " + std::to_string(i), "1", sample.body.quaternion[i]);
+      set_vector("centre of mass", "m", sample.centre);
+      table.set("distance", "m", swim.get_distance());
+      set_vector("velocity of centre of mass", "m/s", sample.centre_velocity);
+      table.set("speed", "m/s", sample.centre_velocity.norm());
+      set_vector("angular velocity in body frame", "rad/s", get_angular(sample.velocity));
+      set_vector("velocity of nose in body frame", "m/s", get_linear(sample.velocity));
+      set_vector("angular impulse in body frame", "kg m^2/s", get_angular(sample.body.impulse));
+      set_vector("linear impulse in body frame", "kg m/s", get_linear(sample.body.impulse));
+      table.set("kinetic energy", "J", sample.energy);
+      set_modes("coordinate", "rad", sample.coordinates);
+      set_modes("torque", "N m", sample.torques);
+      set_modes("power", "W", sample.powers);
+      if (!sample.powers.empty())
+        table.set("power", "W", sample.get_power());
+      table.write_row();
+    }
+  } // namespace
 
   Instants::Instants(const std::vector<double> &output_times, const double period)
   {
@@ -35,7 +69,7 @@ namespace caudal
   }
 
   Swim::Swim(const MotionProblem &problem, const Instants &instants, const bool has_torques,
-             const OutputParameters &output, MotionTable &table, SurfaceOutput &surface,
+             const OutputParameters &output, Statistics &table, SurfaceOutput &surface,
              SwimState &state)
       : problem(problem)
       , instants(instants)
@@ -77,7 +111,7 @@ namespace caudal
     }
     state.last = sample;
     if (instants.is_output[next])
-      write(sample);
+      write();
     if (instants.ends_stroke[next])
     {
       const Tensor<1, 3> direction = body.rotate(Tensor<1, 3>({1., 0., 0.}));
@@ -86,16 +120,18 @@ namespace caudal
     ++next;
   }
 
-  void Swim::write(const MotionSample &sample)
+  void Swim::write()
   {
     if (state.n_output_times % output.statistics_interval == 0)
-      table.write_row(sample, state.get_distance());
+      write_row(table, state);
     ++state.n_output_times;
-    const double end    = instants.times.back();
-    const auto has_come = [&](const double time) { return sample.time >= time - tolerance * end; };
-    const bool are_due  = has_come(state.next_fields);
+    const double end      = instants.times.back();
+    const auto   has_come = [&](const double time) {
+      return state.last.time >= time - tolerance * end;
+    };
+    const bool are_due = has_come(state.next_fields);
     if (are_due || has_come(end))
-      surface.write(sample, problem, state.n_fields++);
+      surface.write(state.last, problem, state.n_fields++);
     if (are_due)
       state.next_fields += output.field_interval;
   }

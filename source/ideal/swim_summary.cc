@@ -24,21 +24,6 @@ namespace caudal
     }
   }
 
-  double SwimSummary::get_speed() const
-  {
-    return distance / duration;
-  }
-
-  double SwimSummary::get_radius() const
-  {
-    return std::abs(turn) > 1e-6 ? std::abs(0.5 * stroke / std::sin(0.5 * turn)) : 0.;
-  }
-
-  double SwimSummary::get_cost_of_transport() const
-  {
-    return distance > 0. ? energy.mean_gross_power() / (mass * get_speed()) : 0.;
-  }
-
   std::string get_ideal_fluid_statement()
   {
     return "The fluid is ideal: no viscous drag, no boundary layer, no wake, and so no\n"
@@ -60,7 +45,7 @@ namespace caudal
 
     std::vector<Quantity> get_quantities(const SwimSummary &summary)
     {
-      const double          speed = summary.get_speed();
+      const double          speed = summary.distance / summary.duration;
       std::vector<Quantity> quantities{
           {"frequency", "Hz", summary.frequency},
           {"duration", "s", summary.duration},
@@ -70,37 +55,29 @@ namespace caudal
       };
       if (summary.n_strokes > 0)
       {
+        // On which the centre of mass stands at the ends of the strokes.
+        const double radius = std::abs(summary.turn) > 1e-6
+                                  ? std::abs(0.5 * summary.stroke / std::sin(0.5 * summary.turn))
+                                  : 0.;
         quantities.push_back({"whole strokes", "1", static_cast<double>(summary.n_strokes)});
         quantities.push_back({"displacement a stroke", "cm", 100. * summary.stroke});
         quantities.push_back({"turn a stroke", "degrees", summary.turn * 180. / numbers::PI});
-        quantities.push_back(
-            {"radius of the circle (0: straight)", "cm", 100. * summary.get_radius()});
+        quantities.push_back({"radius of the circle (0: straight)", "cm", 100. * radius});
       }
       quantities.push_back({"mean kinetic energy", "J", summary.energy.mean_energy()});
       quantities.push_back({"largest kinetic energy", "J", summary.energy.largest_energy});
       if (summary.has_torques)
       {
+        const double gross = summary.energy.mean_gross_power();
         quantities.push_back({"mean positive power", "W", summary.energy.mean_positive_power()});
-        quantities.push_back({"mean gross power", "W", summary.energy.mean_gross_power()});
-        quantities.push_back({"cost of transport", "J/(kg m)", summary.get_cost_of_transport()});
+        quantities.push_back({"mean gross power", "W", gross});
+        quantities.push_back({"cost of transport", "J/(kg m)",
+                              summary.distance > 0. ? gross / (summary.mass * speed) : 0.});
         for (std::size_t i = 0; i < summary.energy.largest_torques.size(); ++i)
           quantities.push_back({"largest torque of mode " + std::to_string(i + 1), "N m",
                                 summary.energy.largest_torques[i]});
       }
       return quantities;
-    }
-
-    /** Calls @p print for each quantity, with the separator between them. */
-    template <class Print>
-    void print_joined(std::ostream &out, const SwimSummary &summary, const Print &print)
-    {
-      const char *separator = "";
-      for (const Quantity &quantity : get_quantities(summary))
-      {
-        out << separator;
-        print(quantity);
-        separator = ",";
-      }
     }
   } // namespace
 
@@ -124,17 +101,21 @@ namespace caudal
 
   std::string print_csv(const std::vector<SwimSummary> &summaries)
   {
-    std::ostringstream out;
-    out << std::setprecision(10);
-    print_joined(out, summaries[0],
-                 [&](const Quantity &q) { out << q.name << " [" << q.unit << "]"; });
-    out << '\n';
+    std::ostringstream header, rows;
+    rows << std::setprecision(10);
     for (const SwimSummary &summary : summaries)
     {
-      print_joined(out, summary, [&](const Quantity &q) { out << q.value; });
-      out << '\n';
+      const char *separator = "";
+      for (const Quantity &quantity : get_quantities(summary))
+      {
+        if (&summary == &summaries[0])
+          header << separator << quantity.name << " [" << quantity.unit << "]";
+        rows << separator << quantity.value;
+        separator = ",";
+      }
+      rows << '\n';
     }
-    return out.str();
+    return header.str() + "\n" + rows.str();
   }
 
   std::string print_json(const std::vector<SwimSummary> &summaries)

@@ -31,28 +31,24 @@ namespace caudal::ideal
     return Screw({q(0), q(1), q(2), q(3), q(4), q(5)});
   }
 
-  std::vector<double> compute_lagrange_torques(const TorqueCoefficients  &coefficients,
-                                               const std::vector<double> &momentum_rates,
-                                               const unsigned int n_modes, const Drive &drive)
+  void MotionCoefficients::add(const double factor, const MotionCoefficients &other)
   {
-    std::vector<double> torques(n_modes, 0.);
-    const unsigned int  n = n_modes > 0 ? momentum_rates.size() / n_modes : 0;
-    auto momentum = coefficients.momenta.begin(), gradient = coefficients.energy_gradient.begin();
-    auto momentum_rate = momentum_rates.begin();
-    for (double &torque : torques)
-      for (unsigned int a = 0; a < n; ++a)
-      {
-        torque +=
-            *momentum_rate++ * drive.rate * drive.get(a) + *momentum++ * drive.get_derivative(a);
-        for (unsigned int b = a; b < n; ++b)
-          torque -= *gradient++ * drive.get(a) * drive.get(b);
-      }
-    return torques;
+    mass += factor * other.mass;
+    momentum += factor * other.momentum;
   }
 
-  double StrokeState::compute_energy_from_rest() const
+  void StrokeState::add(const double factor, const StrokeState &other)
   {
-    return deformation_energy + 0.5 * (motion.momentum * motion.compute_velocity(Screw(), 1.));
+    const auto add_to = [factor](std::vector<double> &sum, const std::vector<double> &values) {
+      sum.resize(values.size(), 0.);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        sum[i] += factor * values[i];
+    };
+    motion.add(factor, other.motion);
+    deformation_energy += factor * other.deformation_energy;
+    centre += factor * other.centre;
+    add_to(torques.momenta, other.torques.momenta);
+    add_to(torques.energy_gradient, other.torques.energy_gradient);
   }
 
   SwimmingShape::SwimmingShape(const Surface &surface, const Deformation &deformation,
@@ -66,23 +62,23 @@ namespace caudal::ideal
       , boundary_elements(surface, communicator)
   {}
 
-  StrokeState SwimmingShape::compute_state(const double argument, FullMatrix<double> *potentials)
+  StrokeSolution SwimmingShape::solve(const double argument)
   {
-    const GaitState    at = gait.evaluate(argument);
-    const unsigned int n  = deformation.n_modes();
-    StrokeState        state;
-    state.c                       = at.c;
-    state.rates                   = at.rates;
+    const GaitState          at   = gait.evaluate(argument);
+    const unsigned int       n    = deformation.n_modes();
     ExteriorFlow             flow = boundary_elements.solve(deformation.place(at.c));
     const FullMatrix<double> body = deformation.compute_body_mass(at.c);
     FullMatrix<double>       mass = flow.get_potentials().added_mass;
     mass *= densities.fluid;
     mass.add(densities.body, body);
-    if (potentials != nullptr)
-      *potentials = flow.get_potentials().values;
+
+    StrokeSolution result{{}, flow.get_potentials().values};
+    StrokeState   &state = result.state;
+    state.c              = at.c;
+    state.rates          = at.rates;
     for (unsigned int i = 0; i < 6; ++i)
     {
-      for (unsigned int j = 0; j < 6; ++j)
+      for (unsigned int j = i; j < 6; ++j)
         state.motion.mass[i][j] = mass(i, j);
       for (unsigned int j = 0; j < n; ++j)
         state.motion.momentum[i] += mass(i, 6 + j) * at.rates[j];
@@ -95,7 +91,7 @@ namespace caudal::ideal
     state.centre = Point<3>(body(1, 5), body(2, 3), body(0, 4)) / -body(3, 3);
 
     state.torques = compute_torque_coefficients(flow, mass, at, state.motion);
-    return state;
+    return result;
   }
 
   /** (1/2) u^T (dM/dc_i) u */

@@ -137,15 +137,10 @@ namespace caudal
 #endif
   }
 
-  FieldFormat OutputParameters::get_format() const
-  {
-    return format == "hdf5" ? FieldFormat::hdf5 : FieldFormat::vtu;
-  }
-
-  FieldOutput::FieldOutput(const std::string &folder, const FieldFormat format,
+  FieldOutput::FieldOutput(const std::string &folder, const std::string &format,
                            const MPI_Comm communicator, const double resume_time)
       : folder(folder)
-      , format(format)
+      , is_vtu(format == "vtu")
       , communicator(communicator)
   {
     run_on_root(communicator, [&]() {
@@ -178,10 +173,9 @@ namespace caudal
     std::string entry;
     const auto  write_data = [&]() {
       const std::string file = "fields/" + name + "-" + Utilities::int_to_string(counter, 5);
-      entry =
-          format == FieldFormat::vtu
-               ? write_vtu(data_out, folder, file + ".vtu", name, time, counter, field_communicator)
-               : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
+      entry = is_vtu ? write_vtu(data_out, folder, file + ".vtu", name, time, counter,
+                                  field_communicator)
+                      : write_hdf5(data_out, folder, file + ".h5", name, time, field_communicator);
     };
     const std::string error = catch_error([&]() {
       if (Utilities::MPI::n_mpi_processes(field_communicator) == 1)
@@ -201,7 +195,7 @@ namespace caudal
 
   std::string FieldOutput::get_list_name() const
   {
-    return folder + (format == FieldFormat::vtu ? "/solution.pvd" : "/solution.xdmf");
+    return folder + (is_vtu ? "/solution.pvd" : "/solution.xdmf");
   }
 
   void FieldOutput::read_list(const double latest_time)
@@ -229,7 +223,6 @@ namespace caudal
   {
     std::ostringstream out;
     out.precision(n_digits);
-    const bool is_vtu = format == FieldFormat::vtu;
     out << "<?xml version=\"1.0\"?>\n"
         << (is_vtu
                 ? "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n"

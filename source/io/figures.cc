@@ -126,8 +126,7 @@ namespace caudal
     /** An expression of x, y, z and t. */
     std::unique_ptr<FunctionParser<3>> parse(const std::string &expression)
     {
-      auto        function = std::make_unique<FunctionParser<3>>(1);
-      std::string reason;
+      auto function = std::make_unique<FunctionParser<3>>(1);
       try
       {
         function->initialize("x,y,z,t", expression, {{"pi", numbers::PI}}, true);
@@ -135,12 +134,12 @@ namespace caudal
       }
       catch (const std::exception &)
       {
-        reason = entry + ": <" + expression +
-                 "> is no valid expression. Columns stand in brackets, within one of the "
-                 "functions first, last, smallest, largest, mean, amplitude and frequency; x, y, z "
-                 "stand for them in this message.";
+        AssertThrow(false,
+                    ExcMessage(entry + ": <" + expression +
+                               "> is no valid expression. Columns stand in brackets, within one of "
+                               "the functions first, last, smallest, largest, mean, amplitude and "
+                               "frequency; x, y, z stand for them in this message."));
       }
-      AssertThrow(reason.empty(), ExcMessage(reason));
       return function;
     }
 

@@ -19,11 +19,19 @@ namespace caudal
     const unsigned int n_digits = 10;
   }
 
-  Statistics::Statistics(const std::string &file, const double kept_time)
-      : file_name(file)
+  Statistics::Statistics(const std::string &name, const double kept_time)
+      : file_name(name)
   {
-    open(kept_time < 0 ? "" : read_rows(kept_time));
-    has_rows = !headers.empty();
+    const std::string rows = kept_time < 0 ? "" : read_rows(kept_time);
+    has_rows               = !headers.empty();
+    if (file_name.empty())
+      return;
+    // A file that is kept stays whole whenever the program ends.
+    if (!rows.empty())
+      replace_file(file_name, rows);
+    file.open(file_name, rows.empty() ? std::ios::trunc : std::ios::app);
+    file << std::flush;
+    AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
   }
 
   std::string Statistics::read_rows(const double time)
@@ -47,18 +55,6 @@ namespace caudal
       rows += line + "\n";
     }
     return rows;
-  }
-
-  void Statistics::open(const std::string &text)
-  {
-    if (file_name.empty())
-      return;
-    // A file that is kept stays whole whenever the program ends.
-    if (!text.empty())
-      replace_file(file_name, text);
-    file.open(file_name, text.empty() ? std::ios::trunc : std::ios::app);
-    file << std::flush;
-    AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
   }
 
   void Statistics::set(const std::string &name, const std::string &unit, const double value)

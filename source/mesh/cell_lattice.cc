@@ -9,28 +9,13 @@
 namespace caudal
 {
   template <int dim>
-  CellLattice<dim>::CellLattice(const DomainParameters<dim> &parameters)
-      : lower_corner(parameters.lower_corner)
-      , coarse_cell_size(parameters.get_cell_size(0))
-      , finest_level(parameters.get_finest_level())
-  {
-    std::copy(parameters.cells.begin(), parameters.cells.end(), coarse_cells.begin());
-  }
-
-  template <int dim>
-  Tensor<1, dim> CellLattice<dim>::get_cell_size(const unsigned int level) const
-  {
-    return coarse_cell_size / (1 << level);
-  }
-
-  template <int dim>
   typename CellLattice<dim>::Coordinates
   CellLattice<dim>::get_coordinates(const Point<dim> &point, const unsigned int level) const
   {
     const Tensor<1, dim> h = get_cell_size(level);
     Coordinates          coordinates;
     for (unsigned int d = 0; d < dim; ++d)
-      coordinates[d] = std::floor((point[d] - lower_corner[d]) / h[d]);
+      coordinates[d] = std::floor((point[d] - domain.lower_corner[d]) / h[d]);
     return coordinates;
   }
 
@@ -38,7 +23,7 @@ namespace caudal
   bool CellLattice<dim>::is_inside(const Coordinates &coordinates, const unsigned int level) const
   {
     for (unsigned int d = 0; d < dim; ++d)
-      if (coordinates[d] < 0 || coordinates[d] >= static_cast<int>(coarse_cells[d] << level))
+      if (coordinates[d] < 0 || coordinates[d] >= static_cast<int>(domain.cells[d] << level))
         return false;
     return true;
   }
@@ -48,25 +33,16 @@ namespace caudal
                                                 const unsigned int level) const
   {
     const Tensor<1, dim> h      = get_cell_size(level);
-    Point<dim>           corner = lower_corner;
+    Point<dim>           corner = domain.lower_corner;
     for (unsigned int d = 0; d < dim; ++d)
       corner[d] += coordinates[d] * h[d];
     return corner;
   }
 
   template <int dim>
-  typename CellLattice<dim>::Key CellLattice<dim>::get_key(const Coordinates &coordinates)
-  {
-    Key key = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      key = (key << 21) + static_cast<Key>(coordinates[d]);
-    return key;
-  }
-
-  template <int dim>
   CellSet<dim>::CellSet(const CellLattice<dim> &lattice)
       : lattice(lattice)
-      , keys(lattice.get_finest_level() + 1)
+      , cells(lattice.get_finest_level() + 1)
   {}
 
   template <int dim>
@@ -81,9 +57,7 @@ namespace caudal
                        lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
                          if (lattice.is_inside(cell, finest))
                            // Once an ancestor is known, so are all above it.
-                           for (int level = finest;
-                                level >= 0 &&
-                                keys[level].insert(CellLattice<dim>::get_key(cell)).second;
+                           for (int level = finest; level >= 0 && cells[level].insert(cell).second;
                                 --level)
                              for (int &coordinate : cell)
                                coordinate >>= 1;
@@ -95,8 +69,7 @@ namespace caudal
   template <int dim>
   bool CellSet<dim>::contains(const Point<dim> &cell_center, const unsigned int level) const
   {
-    return keys[level].count(
-               CellLattice<dim>::get_key(lattice.get_coordinates(cell_center, level))) > 0;
+    return cells[level].count(lattice.get_coordinates(cell_center, level)) > 0;
   }
 
   template <int dim>
@@ -125,7 +98,7 @@ namespace caudal
         if (cell->is_locally_owned())
         {
           const auto coordinates = lattice.get_coordinates(cell->center(), finest);
-          cells.emplace(CellLattice<dim>::get_key(coordinates), cell);
+          cells.emplace(coordinates, cell);
           for (unsigned int d = 0; d < dim; ++d)
           {
             lowest[d]  = std::min(lowest[d], coordinates[d]);
@@ -136,10 +109,10 @@ namespace caudal
 
   template <int dim>
   const typename FinestCells<dim>::Cell *
-  FinestCells<dim>::find(const typename CellLattice<dim>::Coordinates &coordinates) const
+  FinestCells<dim>::find(const Coordinates &coordinates) const
   {
     const auto entry = lattice.is_inside(coordinates, lattice.get_finest_level())
-                           ? cells.find(CellLattice<dim>::get_key(coordinates))
+                           ? cells.find(coordinates)
                            : cells.end();
     return entry == cells.end() ? nullptr : &entry->second;
   }
@@ -151,7 +124,7 @@ namespace caudal
     const Tensor<1, dim> size   = lattice.get_cell_size(finest);
     const Point<dim>     origin = lattice.get_lower_corner({}, finest);
     const auto &[lower, upper]  = box.get_boundary_points();
-    typename CellLattice<dim>::Coordinates first, last;
+    Coordinates first, last;
     for (unsigned int d = 0; d < dim; ++d)
     {
       // Numbers that no integer holds are clipped before they become one.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/mesh/round_grids.h>
 #include <caudal/mesh/shape.h>
 
 #include <deal.II/grid/grid_generator.h>

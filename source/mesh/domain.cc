@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
+#include <caudal/base/compatibility.h>
 #include <caudal/mesh/domain.h>
 
+#include <deal.II/distributed/p4est_wrappers.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
@@ -43,15 +45,6 @@ namespace caudal
                              " m. Choose numbers that make them nearly equal."));
   }
 
-  template <int dim>
-  Tensor<1, dim> DomainParameters<dim>::get_cell_size(const unsigned int level) const
-  {
-    Tensor<1, dim> edges;
-    for (unsigned int d = 0; d < dim; ++d)
-      edges[d] = size[d] / cells[d] / (1 << level);
-    return edges;
-  }
-
   std::vector<std::string> get_side_names(const unsigned int dim)
   {
     std::vector<std::string> names = {"left", "right", "bottom", "top", "back", "front"};
@@ -69,8 +62,30 @@ namespace caudal
                                               /*colorize=*/true);
   }
 
+  template <int dim>
+  void make_canonical(parallel::distributed::Triangulation<dim> &triangulation,
+                      const DomainParameters<dim>               &domain)
+  {
+    using Forest = typename internal::p4est::types<dim>::forest;
+    using P4est  = internal::p4est::functions<dim>;
+    // The copy outlives the connectivity of the triangulation: it gets that of another one.
+    parallel::distributed::Triangulation<dim> coarse(
+        compatibility::get_communicator(triangulation));
+    make_domain(coarse, domain);
+    Forest *forest       = P4est::copy_forest(const_cast<Forest *>(triangulation.get_p4est()), 0);
+    forest->connectivity = coarse.get_p4est()->connectivity;
+    triangulation.clear();
+    make_domain(triangulation, domain);
+    triangulation.load(forest);
+    P4est::destroy(forest);
+  }
+
   template struct DomainParameters<2>;
   template struct DomainParameters<3>;
   template void make_domain(parallel::distributed::Triangulation<2> &, const DomainParameters<2> &);
   template void make_domain(parallel::distributed::Triangulation<3> &, const DomainParameters<3> &);
+  template void make_canonical(parallel::distributed::Triangulation<2> &,
+                               const DomainParameters<2> &);
+  template void make_canonical(parallel::distributed::Triangulation<3> &,
+                               const DomainParameters<3> &);
 } // namespace caudal

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/collective.h>
 #include <caudal/mesh/shape.h>
 
 #include <deal.II/grid/grid_in.h>
@@ -94,24 +95,12 @@ namespace caudal
       /** Reads the file; returns the reason if that fails, else an empty string. */
       std::string read(Triangulation<dim> &tria) const
       {
-        std::ostringstream reason;
-        try
-        {
+        std::istringstream words(catch_error([&]() {
           std::ifstream stream(file);
           GridIn<dim>(tria).read_msh(stream);
-        }
-        catch (const ExceptionBase &exception)
-        {
-          exception.print_info(reason);
-        }
-        catch (const std::exception &exception)
-        {
-          reason << exception.what();
-        }
-
+        }));
         // As one line, without the indentation of deal.II's messages.
-        std::istringstream words(reason.str());
-        std::string        line;
+        std::string line;
         for (std::string word; words >> word;)
           line += (line.empty() ? "" : " ") + word;
         return line;

@@ -1,40 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/mesh/shape.h>
 
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace caudal
 {
-  template <int dim>
-  Tensor<1, dim> ShapeLengths::get_sides() const
-  {
-    const double   sides[] = {length, thickness, width};
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = sides[d];
-    return result;
-  }
-
-  template <int dim>
-  void ShapeLengths::check_sides(const std::string &path) const
-  {
-    require_positive(length, path, "Length");
-    require_positive(thickness, path, "Thickness");
-    if (dim == 3)
-      require_positive(width, path, "Width");
-  }
-
-  double GridDivisions::count_elements() const
-  {
-    return std::accumulate(elements.begin(), elements.end(), 1., std::multiplies<double>());
-  }
-
   std::vector<double> GridDivisions::compute_steps_along() const
   {
     const std::vector<double> columns = compute_columns(0., region_boundaries, elements[0]);
@@ -92,16 +69,6 @@ namespace caudal
     return type.get().make_straight_body(lengths);
   }
 
-  template <int dim>
-  std::string list_shapes(const std::function<bool(const Shape<dim> &)> &property)
-  {
-    std::string names;
-    for (const auto &[name, member] : Registry<Shape<dim>>::get_members())
-      if (property(*member.create()))
-        names += (names.empty() ? "" : ", ") + name;
-    return names;
-  }
-
   void require(const bool condition, const std::string &path, const std::string &entry,
                const std::string &sentences)
   {
@@ -157,14 +124,38 @@ namespace caudal
     return columns;
   }
 
-  template Tensor<1, 2> ShapeLengths::get_sides() const;
-  template Tensor<1, 3> ShapeLengths::get_sides() const;
-  template void         ShapeLengths::check_sides<2>(const std::string &) const;
-  template void         ShapeLengths::check_sides<3>(const std::string &) const;
+  template <int dim>
+  void subdivide(const Triangulation<dim> &coarse, const unsigned int n, Triangulation<dim> &tria)
+  {
+    Triangulation<dim> pattern;
+    GridGenerator::subdivided_hyper_cube(pattern, n);
+
+    // Degree 8 meets a circle of eight arcs to 1e-9.
+    const MappingQ<dim>        mapping(8);
+    std::vector<Point<dim>>    vertices;
+    std::vector<CellData<dim>> cells;
+    for (const auto &coarse_cell : coarse.active_cell_iterators())
+    {
+      const unsigned int first = vertices.size();
+      for (const Point<dim> &unit_point : pattern.get_vertices())
+        vertices.push_back(mapping.transform_unit_to_real_cell(coarse_cell, unit_point));
+      for (const auto &cell : pattern.active_cell_iterators())
+      {
+        cells.emplace_back();
+        for (const unsigned int v : cell->vertex_indices())
+          cells.back().vertices[v] = first + cell->vertex_index(v);
+      }
+    }
+    SubCellData               no_faces;
+    std::vector<unsigned int> all_vertices;
+    GridTools::delete_duplicated_vertices(vertices, cells, no_faces, all_vertices, 1e-8);
+    tria.create_triangulation(vertices, cells, no_faces);
+  }
+
   template struct ShapeParameters<2>;
   template struct ShapeParameters<3>;
-  template std::string list_shapes(const std::function<bool(const Shape<2> &)> &);
-  template std::string list_shapes(const std::function<bool(const Shape<3> &)> &);
-  template void        assign_regions(Triangulation<2> &, const std::vector<double> &);
-  template void        assign_regions(Triangulation<3> &, const std::vector<double> &);
+  template void assign_regions(Triangulation<2> &, const std::vector<double> &);
+  template void assign_regions(Triangulation<3> &, const std::vector<double> &);
+  template void subdivide(const Triangulation<2> &, unsigned int, Triangulation<2> &);
+  template void subdivide(const Triangulation<3> &, unsigned int, Triangulation<3> &);
 } // namespace caudal

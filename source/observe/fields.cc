@@ -72,7 +72,7 @@ namespace caudal
 
       void resume(const ObserverContext<dim> &context) override
       {
-        output.emplace(context.folder.path(), context.output.get_format(), context.communicator,
+        output.emplace(context.folder.path(), context.output.format, context.communicator,
                        last_time);
       }
 

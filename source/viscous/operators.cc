@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/mesh/canonical_grid.h>
+#include <caudal/mesh/domain.h>
 #include <caudal/viscous/operators.h>
 
 namespace caudal

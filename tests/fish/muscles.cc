@@ -4,7 +4,6 @@
 // in the middle of their periods and at their edges; controllers; bad input.
 
 #include <caudal/base/archive.h>
-#include <caudal/fish/force_table.h>
 #include <caudal/fish/muscle.h>
 
 #include <cmath>
@@ -213,15 +212,30 @@ void expect_sentence(const Action &action)
   }
 }
 
+// The muscle that the file says, with or without a period.
+std::unique_ptr<Muscle<2>> make_table_muscle(const bool periodic)
+{
+  return make_muscle({{"Type", "table"},
+                      {"Table/File", "muscle_table.txt"},
+                      {"Table/Periodic", periodic ? "true" : "false"}});
+}
+
+// Its force on a body of unit length, where the distribution is 1.
+double get_force(const Muscle<2> &muscle, const double time, const double s,
+                 const MuscleCommand &given = MuscleCommand())
+{
+  return muscle.force_density(command(muscle, given), {Point<2>(s, 0.), 0}, time)[1];
+}
+
 void test_table()
 {
   write("# a comment\ntime, 0.5, 0.75, 1\r\n0, 1, 2, 4\r\n\n0.1, 3, 4, 8 # and another\n"
         "0.4, 1, 2, 4\n");
-  const ForceTable table("muscle_table.txt", true);
-  std::cout << "Table: " << table.value(0., 0.5) << ' ' << table.value(0.05, 0.75) << ' '
-            << table.value(0.1, 0.875) << ' ' << table.value(0.25, 0.2) << ' '
-            << table.value(0.4 * 7. + 0.1, 1.) << ' ' << table.value(-0.3, 2.) << ", largest "
-            << table.get_maximum() << std::endl;
+  const auto table = make_table_muscle(true);
+  std::cout << "Table: " << get_force(*table, 0., 0.5) << ' ' << get_force(*table, 0.05, 0.75)
+            << ' ' << get_force(*table, 0.1, 0.875) << ' ' << get_force(*table, 0.25, 0.2) << ' '
+            << get_force(*table, 0.4 * 7. + 0.1, 1.) << ' ' << get_force(*table, 0.5, 2.)
+            << ", largest " << get_force(*table, 0., 0., {0., 1.}) << std::endl;
 
   const auto muscle = make_muscle({{"Type", "table"},
                                    {"Table/File", "muscle_table.txt"},
@@ -233,16 +247,16 @@ void test_table()
             << " = (2*3 + 0.5*8)*0.75" << std::endl;
 
   write("0 1\n1 2\n");
-  const ForceTable single("muscle_table.txt", false);
-  std::cout << "  one column: " << single.value(0.25, 0.9) << std::endl;
-  expect_sentence([&] { single.value(1.5, 0.); });
-  expect_sentence([] { ForceTable("no_such_table.txt", false); });
+  const auto single = make_table_muscle(false);
+  std::cout << "  one column: " << get_force(*single, 0.25, 0.9) << std::endl;
+  expect_sentence([&] { get_force(*single, 1.5, 0.); });
+  expect_sentence([] { make_muscle({{"Type", "table"}, {"Table/File", "no_such_table.txt"}}); });
   for (const std::string text : {"0 1\n0.5 2 3\n1 2\n", "time, 0.5, 1\n0, 1, 2\n1, , 2\n",
                                  "0 1\n0.5 nan\n", "0 1\n0.5 2\n0.5 3\n", "0 1\n0.5 two\n",
                                  "time 0.5 0.4\n", "# nothing\n0 1\n", "0 1\n1 2\n"})
   {
     write(text);
-    expect_sentence([] { ForceTable("muscle_table.txt", true); });
+    expect_sentence([] { make_table_muscle(true); });
   }
 }
 

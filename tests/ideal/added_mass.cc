@@ -3,7 +3,7 @@
 // k of the translations, I/(rho V) of the rotations; their order of convergence; the same
 // without the mirror symmetry, which halves the work; the volume.
 
-#include <caudal/ideal/boundary_elements.h>
+#include <caudal/ideal/exterior_flow.h>
 
 #include <cmath>
 #include <iomanip>

@@ -3,7 +3,7 @@
 // in all directions, against differences of the energies of neighbouring shapes: of the fluid,
 // with and without the use of mirror symmetry, and of the body; the second derivatives of places.
 
-#include <caudal/ideal/boundary_elements.h>
+#include <caudal/ideal/exterior_flow.h>
 
 #include "bodies.h"
 

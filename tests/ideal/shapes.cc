@@ -3,9 +3,8 @@
 // derivatives of positions; a bend keeps the volume and the body's mass matrix is that of the
 // moving matter; symmetries of the gaits; the deforming sphere keeps its volume; splines.
 
-#include <caudal/fish/cubic_spline.h>
-#include <caudal/fish/profile.h>
-#include <caudal/ideal/boundary_elements.h>
+#include <caudal/fish/spline.h>
+#include <caudal/ideal/exterior_flow.h>
 #include <caudal/ideal/mesh_body.h>
 
 #include "bodies.h"
@@ -29,12 +28,13 @@ const std::string salmon =
 void check_profiles()
 {
   const std::vector<double> x = {0, 1, 1.3, 4, 4.2, 5}, y = {0, 5, 5.1, -3, -3, 7};
-  const Profile             profile(x, y, true);
+  const Spline              spline(x, y, Spline::Kind::limited);
+  const auto                profile   = [&](const double at) { return spline.evaluate(at).first; };
   double                    overshoot = 0., jump = 0., miss = 0.;
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     for (double t = 0.; t <= 1.; t += 0.01)
     {
-      const double value = profile.value(x[i] + t * (x[i + 1] - x[i]));
+      const double value = profile(x[i] + t * (x[i + 1] - x[i]));
       overshoot =
           std::max({overshoot, value - std::max(y[i], y[i + 1]), std::min(y[i], y[i + 1]) - value});
     }
@@ -42,9 +42,9 @@ void check_profiles()
   {
     const double h      = 1e-3;
     const auto   second = [&](const double at) {
-      return (profile.value(at + h) - 2. * profile.value(at) + profile.value(at - h)) / (h * h);
+      return (profile(at + h) - 2. * profile(at) + profile(at - h)) / (h * h);
     };
-    miss = std::max(miss, std::abs(profile.value(x[i]) - y[i]));
+    miss = std::max(miss, std::abs(profile(x[i]) - y[i]));
     jump = std::max(jump, std::abs(second(x[i] + 2. * h) - second(x[i] - 2. * h)));
   }
   std::cout << "profile: points " << below(miss, 1e-12) << ", no overshoot "
@@ -58,7 +58,7 @@ void check_profiles()
     sines.push_back(std::sin(angles.back()));
   }
   sines.back() = sines.front();
-  const CubicSpline periodic(angles, sines, true);
+  const Spline periodic(angles, sines, Spline::Kind::periodic);
   const auto [value, rate] = periodic.evaluate(13.);
   std::cout << "spline of a sine: " << below(std::abs(value - std::sin(13.)), 1e-5) << ", its rate "
             << below(std::abs(rate - std::cos(13.)), 1e-4) << std::endl;
@@ -79,7 +79,7 @@ void check_interpolation()
              Patterns::Tools::to_string(a[i]) + ", 1e-3";
     logarithms.push_back(std::log(a[i] / round(s[i])));
   }
-  const CubicSpline spline(s, logarithms, false);
+  const Spline spline(s, logarithms, Spline::Kind::natural);
   for (const std::string type : {"spline", "limited"})
   {
     const auto shape = make_body({{"Stations/Table", table}, {"Stations/Interpolation", type}});

@@ -3,7 +3,6 @@
 
 #include <caudal/ideal/kirchhoff.h>
 #include <caudal/ideal/motion_sample.h>
-#include <caudal/ideal/phase_table.h>
 #include <caudal/ideal/resistance.h>
 
 #include "bodies.h"
@@ -154,8 +153,10 @@ void check_energy_and_table()
     Swimmer      swimmer({4, 3}, fish, gait, 32, Torques::from_rest);
     double       error = 0., largest = 0., work = 0.;
     const double h      = 1e-3;
-    const auto   energy = [&](const double psi) {
-      return swimmer.table.compute_state(psi).compute_energy_from_rest();
+    const auto   energy = [&](const double psi) { // T_dd - P.M^-1 P/2
+      const StrokeState state = swimmer.table.compute_state(psi);
+      return state.deformation_energy +
+             0.5 * (state.motion.momentum * state.motion.compute_velocity(Screw(), 1.));
     };
     const unsigned int n = 48;
     for (unsigned int k = 0; k < n; ++k)

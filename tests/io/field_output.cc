@@ -55,9 +55,9 @@ int main(int argc, char **argv)
   Triangulation<2> fish;
   GridGenerator::hyper_cube(fish, 0.4, 0.6);
 
-  for (const auto format : {FieldFormat::vtu, FieldFormat::hdf5})
+  for (const std::string format : {"vtu", "hdf5"})
   {
-    const std::string folder      = format == FieldFormat::vtu ? "fields_vtu" : "fields_hdf5";
+    const std::string folder      = "fields_" + format;
     const auto        write_times = [&](const double                     resume_time,
                                  const std::vector<unsigned int> &counters) {
       FieldOutput output(folder, format, MPI_COMM_WORLD, resume_time);
@@ -72,11 +72,11 @@ int main(int argc, char **argv)
 
     if (is_root)
     {
-      std::ifstream in(folder + (format == FieldFormat::vtu ? "/solution.pvd" : "/solution.xdmf"));
+      std::ifstream in(folder + (format == "vtu" ? "/solution.pvd" : "/solution.xdmf"));
       std::cout << in.rdbuf();
       for (const std::string name : {"fluid-00003", "fish-00003"})
       {
-        const std::string ending = format == FieldFormat::vtu ? ".vtu" : ".h5";
+        const std::string ending = format == "vtu" ? ".vtu" : ".h5";
         std::cout << name
                   << (std::filesystem::exists(folder + "/fields/" + name + ending)
                           ? " exists\n"

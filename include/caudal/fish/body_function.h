@@ -10,14 +10,20 @@ namespace caudal
   class BodyFunction : public Expression<2>
   {
   public:
-    /** @p variables are two names separated by ','; @p path is the entry that errors name. */
-    BodyFunction(const std::string &path, const std::string &variables, const std::string &text);
-
+    using Expression<2>::Expression;
     using Expression<2>::value;
-    double value(double first, double second) const;
+
+    double value(const double first, const double second) const
+    {
+      return value(Point<2>(first, second));
+    }
 
     /** Throws unless it is finite at some places along the body. */
-    void check_along() const;
+    void check_along() const
+    {
+      for (const double s : {0., 0.25, 0.5, 0.75, 1.})
+        value(s, 0.);
+    }
   };
 } // namespace caudal
 

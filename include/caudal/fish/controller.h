@@ -57,15 +57,21 @@ namespace caudal
   /** Section `Controller` of a body. */
   struct ControllerParameters
   {
-    Choice<Controller> type;
-
-    ControllerParameters();
+    Choice<Controller> type{"Type", "none", "What commands the muscle"};
 
     /** Declares the section in the one that @p prm is in. */
-    void add_parameters(ParameterHandler &prm);
+    void add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Controller");
+      type.add_parameters(prm);
+      prm.leave_subsection();
+    }
 
     /** Throws a sentence about the first bad entry; @p path is the body's section. */
-    void check(const std::string &path) const;
+    void check(const std::string &path) const
+    {
+      type.check(path + "/Controller");
+    }
   };
 } // namespace caudal
 

@@ -19,11 +19,19 @@ namespace caudal
   public:
     explicit EllipticBody(double length);
 
-    double                 get_length() const override;
+    double get_length() const override
+    {
+      return length;
+    }
+
+    bool is_symmetric() const override
+    {
+      return true;
+    }
+
     Point<3>               place(const Point<3> &reference) const override;
     double                 half_width(double s) const override;
     std::vector<BodySlice> compute_slices() const override;
-    bool                   is_symmetric() const override;
 
     /** E(s) */
     static double get_end_factor(double s, double length);
@@ -43,7 +51,10 @@ namespace caudal
   class EllipticShape : public Shape<dim>
   {
   public:
-    bool has_surface() const override;
+    bool has_surface() const override
+    {
+      return true;
+    }
 
     void check_divisions(const ShapeLengths &lengths, const GridDivisions &divisions,
                          const std::string &path) const override;
@@ -57,16 +68,6 @@ namespace caudal
     void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                    const std::string &path, Triangulation<dim> &tria) const override;
   };
-
-  /**
-   * The unit disc or ball as an image of a cube: a core of @p core elements in each direction,
-   * from whose faces @p n_layers layers of elements reach to the circle or sphere. Its columns
-   * along the first axis are normal to it, but for the layers at the two ends, so that it can be
-   * stretched to a slender body.
-   */
-  template <int dim>
-  void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
-                       unsigned int n_layers);
 } // namespace caudal
 
 #endif

@@ -35,12 +35,6 @@ namespace caudal
     double              wave_number = 1.;
     double              bias        = 0.;
     double              growth      = 0.;
-
-    /** A ((1 - g) + g s/L) over A, g the growth. */
-    double get_envelope(const double s_over_length) const
-    {
-      return 1. - growth + growth * s_over_length;
-    }
   };
 
   /**
@@ -59,28 +53,52 @@ namespace caudal
     virtual void set_up(const SharedGaitParameters &shared, double length);
 
     /** Whether it prescribes anything to a body that is otherwise driven by its muscles. */
-    virtual bool is_prescribed() const;
+    virtual bool is_prescribed() const
+    {
+      return true;
+    }
 
     /** Whether it is a function of the phase; not so during a start-up. */
-    bool is_periodic() const;
+    bool is_periodic() const
+    {
+      return has_period() && shared.ramp.duration == 0.;
+    }
 
     /** The frequencies to swim with [Hz]; one that has no meaning for a gait without period. */
-    virtual std::vector<double> get_frequencies() const;
+    virtual std::vector<double> get_frequencies() const
+    {
+      return shared.frequencies;
+    }
 
     /** Frequency of the beat [Hz]; 0 if nothing is prescribed, or nothing that is known to repeat.
      */
-    double get_beat_frequency() const;
+    double get_beat_frequency() const
+    {
+      return is_prescribed() && has_period() ? get_frequencies()[0] : 0.;
+    }
 
     /** The derivative of the argument by time [1/s], if the frequency is @p frequency [Hz]. */
-    double get_argument_rate(double frequency) const;
+    double get_argument_rate(const double frequency) const
+    {
+      return is_periodic() ? 2. * numbers::PI * frequency : 1.;
+    }
 
     /** The last time [s] of which the gait knows something. */
-    virtual double get_end() const;
+    virtual double get_end() const
+    {
+      return std::numeric_limits<double>::max();
+    }
 
     /** The length of the body's spine [m]. */
-    double get_length() const;
+    double get_length() const
+    {
+      return length;
+    }
 
-    virtual unsigned int n_coordinates() const;
+    virtual unsigned int n_coordinates() const
+    {
+      return 1;
+    }
 
     /** The coordinates at the phase [rad] or time [s]. */
     virtual GaitState evaluate(double argument) const;
@@ -112,7 +130,10 @@ namespace caudal
                                                           double argument) const;
 
     /** Whether it would be a function of the phase without a start-up. */
-    virtual bool has_period() const;
+    virtual bool has_period() const
+    {
+      return true;
+    }
 
     SharedGaitParameters shared;
     double               length = 1.; // [m]

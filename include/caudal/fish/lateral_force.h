@@ -14,13 +14,31 @@ namespace caudal
   class LateralForce : public Muscle<dim>
   {
   public:
-    void set_up(const SharedMuscleParameters &shared, double length,
-                const std::map<std::string, types::material_id> &region_ids) override;
+    void set_up(const SharedMuscleParameters &shared, const double length,
+                const std::map<std::string, types::material_id> &region_ids) override
+    {
+      Muscle<dim>::set_up(shared, length, region_ids);
+      distribution = std::make_shared<BodyFunction>("Muscle/Force distribution", "s,y",
+                                                    shared.force_distribution);
+    }
 
-    bool has_force() const override;
+    bool has_force() const override
+    {
+      return true;
+    }
 
     Tensor<1, dim> force_density(const Contraction &contraction, const MaterialPoint<dim> &point,
-                                 double time) const override;
+                                 const double time) const override
+    {
+      Tensor<1, dim> force;
+      if (this->acts_in(point.region))
+      {
+        const double s = point.s[0] / this->length;
+        force[1] =
+            amplitude(contraction, s, time) * distribution->value(s, point.s[1] / this->length);
+      }
+      return force;
+    }
 
   protected:
     /** f(s,t) [N/m^3] at the arc length @p s [body lengths]. */

@@ -83,41 +83,77 @@ namespace caudal
                         const std::map<std::string, types::material_id> &region_ids = {});
 
     /** The memory at the start of a run. */
-    virtual MuscleMemory get_initial_memory() const;
+    virtual MuscleMemory get_initial_memory() const
+    {
+      return {};
+    }
 
     /** Throws unless @p memory, read from a checkpoint, is that of such a muscle. */
     void check_memory(const MuscleMemory &memory) const;
 
     /** The muscle's decision for the step that @p state describes. */
     virtual Contraction contract(const MuscleMemory &memory, const SwimmerState &state,
-                                 const MuscleCommand &command) const;
+                                 const MuscleCommand &command) const
+    {
+      return {state.time, state.step, command, memory, memory, {}};
+    }
 
-    virtual bool has_force() const;
-    virtual bool has_active_stress() const;
+    virtual bool has_force() const
+    {
+      return false;
+    }
+
+    virtual bool has_active_stress() const
+    {
+      return false;
+    }
 
     /** Frequency of the beat [Hz] if the muscle alone decides on it; otherwise 0. */
-    virtual double get_beat_frequency() const;
+    virtual double get_beat_frequency() const
+    {
+      return 0.;
+    }
 
     /** Whether it can pull harder on one side than on the other. */
-    virtual bool can_steer() const;
+    virtual bool can_steer() const
+    {
+      return true;
+    }
 
     /** Whether it counts the arc length s from x = 0 of the body frame. */
-    virtual bool counts_from_nose() const;
+    virtual bool counts_from_nose() const
+    {
+      return has_force() || has_active_stress();
+    }
 
     /** f_a at @p time, which lies in the step of @p contraction or at its end. */
-    virtual Tensor<1, dim> force_density(const Contraction        &contraction,
-                                         const MaterialPoint<dim> &point, double time) const;
+    virtual Tensor<1, dim> force_density(const Contraction & /*contraction*/,
+                                         const MaterialPoint<dim> & /*point*/,
+                                         double /*time*/) const
+    {
+      return Tensor<1, dim>();
+    }
 
     /** S_a, likewise. */
-    virtual Tensor<2, dim> active_stress(const Contraction        &contraction,
-                                         const MaterialPoint<dim> &point, double time) const;
+    virtual Tensor<2, dim> active_stress(const Contraction & /*contraction*/,
+                                         const MaterialPoint<dim> & /*point*/,
+                                         double /*time*/) const
+    {
+      return Tensor<2, dim>();
+    }
 
     /** Activation in the middle of the step, 1 at full strength (for the statistics). */
-    virtual double activation(const Contraction &contraction) const;
+    virtual double activation(const Contraction & /*contraction*/) const
+    {
+      return 0.;
+    }
 
   protected:
     /** Whether the muscle reaches into the region. */
-    bool acts_in(types::material_id region) const;
+    bool acts_in(const types::material_id region) const
+    {
+      return active_regions.empty() || active_regions.count(region) > 0;
+    }
 
     double      length = 1.;
     StartUpRamp ramp;
@@ -130,10 +166,8 @@ namespace caudal
   template <int dim>
   struct MuscleParameters
   {
-    Choice<Muscle<dim>>    type;
+    Choice<Muscle<dim>>    type{"Type", "none", "What drives the body"};
     SharedMuscleParameters shared;
-
-    MuscleParameters();
 
     /** Declares the section in the one that @p prm is in. */
     void add_parameters(ParameterHandler &prm);
@@ -143,7 +177,13 @@ namespace caudal
 
     /** The chosen muscle, for a body of length @p length [m] with these regions. */
     std::unique_ptr<Muscle<dim>>
-    create(double length, const std::map<std::string, types::material_id> &region_ids = {}) const;
+    create(const double                                     length,
+           const std::map<std::string, types::material_id> &region_ids = {}) const
+    {
+      std::unique_ptr<Muscle<dim>> muscle = type.create();
+      muscle->set_up(shared, length, region_ids);
+      return muscle;
+    }
   };
 } // namespace caudal
 

@@ -19,12 +19,24 @@ namespace caudal::ideal
   public:
     BendingBody(const Surface &surface, const StraightBody &body, const Gait &gait);
 
-    unsigned int       n_modes() const override;
+    unsigned int n_modes() const override
+    {
+      return gait.n_coordinates();
+    }
+
+    bool is_symmetric() const override
+    {
+      return symmetric;
+    }
+
+    double get_length() const override
+    {
+      return length;
+    }
+
     SurfaceMotion      place(const std::vector<double> &c) const override;
     FullMatrix<double> compute_body_mass(const std::vector<double> &c) const override;
     double             compute_bend(const std::vector<double> &c) const override;
-    bool               is_symmetric() const override;
-    double             get_length() const override;
 
     std::vector<std::vector<Tensor<1, 3>>>
     compute_mode_rates(const std::vector<double> &c,

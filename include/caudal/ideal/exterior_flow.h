@@ -9,8 +9,26 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <cmath>
+
 namespace caudal::ideal
 {
+  /** Kernels of potential theory between a point x and an element of the surface at y. */
+  struct LaplaceKernel
+  {
+    double single_layer; ///< G(x,y) = 1/(4 pi |y - x|) [1/m]
+    double double_layer; ///< dG/dn_y dS = -(y - x).N/(4 pi |y - x|^3), N = n dS [1/m, N in m^2]
+  };
+
+  /** @p r = y - x [m], which must not be zero; @p N is the element's area times its normal [m^2].
+   */
+  inline LaplaceKernel evaluate_laplace_kernel(const Tensor<1, 3> &r, const Tensor<1, 3> &N)
+  {
+    const double inverse = 1. / r.norm_square();
+    const double G       = std::sqrt(inverse) / (4. * numbers::PI);
+    return {G, -(r * N) * inverse * G};
+  }
+
   /**
    * The flow around a surface for each of its motions: the three rotations about the
    * origin, the three translations, and the modes of SurfaceMotion, in this order.
@@ -123,6 +141,47 @@ namespace caudal::ideal
     std::vector<unsigned int>              images; // of the nodes, or themselves
     LAPACKFullMatrix<double>               matrix; // A, then its factors
     Potentials                             potentials;
+  };
+
+  /**
+   * Boundary elements for Laplace's equation outside of a closed surface, with given
+   * normal derivative u.n on it (n out of the body) and decay at infinity. Green's third
+   * identity at a node x of the surface, with the potential's value at x subtracted so that
+   * no solid angle appears and all integrals of the double layer are bounded:
+   *
+   *   phi(x) - int (phi(y) - phi(x)) dG/dn_y dS = - int G u.n dS
+   *
+   * (e.g. C. Pozrikidis, A Practical Guide to Boundary Element Methods, 2002, chapter 2).
+   * Collocation at all nodes; phi is quadratic on each cell, like the surface; u.n is not
+   * interpolated. Nearly singular integrals over a cell are computed on parts of it which
+   * are the smaller the nearer they are to x.
+   */
+  class BoundaryElements
+  {
+  public:
+    /** The rows of the matrix are shared among the ranks of @p communicator. */
+    BoundaryElements(const Surface &surface, const MPI_Comm communicator)
+        : surface(surface)
+        , communicator(communicator)
+        , rules(surface.get_fe())
+    {}
+
+    /** The flow, equal on all ranks. Throws if the matrix is singular. Collective. */
+    ExteriorFlow solve(SurfaceMotion motion)
+    {
+      return ExteriorFlow(surface, std::move(motion), rules, communicator, cost);
+    }
+
+    const BoundaryElementCost &get_cost() const
+    {
+      return cost;
+    }
+
+  private:
+    const Surface      &surface;
+    const MPI_Comm      communicator;
+    ReferenceRules      rules;
+    BoundaryElementCost cost;
   };
 } // namespace caudal::ideal
 

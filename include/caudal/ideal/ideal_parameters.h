@@ -7,7 +7,7 @@
 #include <caudal/ideal/kirchhoff.h>
 #include <caudal/ideal/resistance.h>
 #include <caudal/ideal/surface.h>
-#include <caudal/io/checkpoint_writer.h>
+#include <caudal/io/checkpoints.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/shape.h>
 

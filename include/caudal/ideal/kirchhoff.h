@@ -24,9 +24,6 @@ namespace caudal::ideal
     /** R V */
     Tensor<1, 3> rotate(const Tensor<1, 3> &V) const;
 
-    /** R^T V */
-    Tensor<1, 3> rotate_back(const Tensor<1, 3> &V) const;
-
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
@@ -49,7 +46,7 @@ namespace caudal::ideal
     std::vector<double> on_modes; ///< int df.dX/dc_i; none if there are no forces [N m]
   };
 
-  /** The external forces at an instant; none if empty. */
+  /** The external forces at an instant. */
   using ExternalForce = std::function<Load(const MotionInstant &)>;
 
   /** Methods to integrate the equations. */
@@ -72,7 +69,7 @@ namespace caudal::ideal
     double        length     = 1.; ///< a typical one, for the tolerance [m]
     double        tolerance  = 1e-9;
     Integrator    integrator = Integrator::adaptive;
-    ExternalForce force;
+    ExternalForce force      = [](const MotionInstant &) { return Load(); };
   };
 
   /** d(Lambda, Pi)/dt by Kirchhoff's equations, see advance_motion(). */

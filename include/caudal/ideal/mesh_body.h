@@ -13,8 +13,15 @@ namespace caudal::ideal
   public:
     explicit MeshBody(const Surface &surface);
 
-    double   get_length() const override;
-    Point<3> place(const Point<3> &reference) const override;
+    double get_length() const override
+    {
+      return tail - nose;
+    }
+
+    Point<3> place(const Point<3> &reference) const override
+    {
+      return Point<3>(reference[0] - nose, reference[1], reference[2]);
+    }
 
     /** The largest |y| within a twentieth of the length. */
     double half_width(double s) const override;
@@ -22,7 +29,10 @@ namespace caudal::ideal
     /** By int f dV = int F n_y dS with dF/dy = f, here f = 1, y, z, y^2, yz, z^2. */
     std::vector<BodySlice> compute_slices() const override;
 
-    bool is_symmetric() const override;
+    bool is_symmetric() const override
+    {
+      return false; // not known
+    }
 
   private:
     const Surface &surface;

@@ -49,9 +49,23 @@ namespace caudal::ideal
     /** The averages of a swim from rest at another rate, if these are those at 1 rad/s. */
     EnergyAverages at_rate(double rate) const;
 
-    double mean_energy() const;         ///< `<T>` [J]
-    double mean_positive_power() const; ///< `<max(sum_i Q_i c_i', 0)>` [W]
-    double mean_gross_power() const;    ///< `sum_i <|Q_i c_i'|>` [W]
+    /** `<T>` [J] */
+    double mean_energy() const
+    {
+      return energy / duration;
+    }
+
+    /** `<max(sum_i Q_i c_i', 0)>` [W] */
+    double mean_positive_power() const
+    {
+      return positive_work / duration;
+    }
+
+    /** `sum_i <|Q_i c_i'|>` [W] */
+    double mean_gross_power() const
+    {
+      return gross_work / duration;
+    }
 
     double              largest_energy = 0.; ///< [J]
     std::vector<double> largest_torques;     ///< of each mode [N m]

@@ -17,14 +17,17 @@ namespace caudal::ideal
     virtual MotionCoefficients compute_motion(double argument) = 0;
     virtual StrokeState        compute_state(double argument)  = 0;
 
-    /** Torques of the modes together with external forces on them [N m]. */
-    virtual std::vector<double> compute_torques(double argument, const Drive &drive) = 0;
-
-    /** d(centre of mass)/dpsi in the body's frame [m]. */
-    virtual Tensor<1, 3> compute_centre_rate(double argument) = 0;
+    /** The derivative of the state by the argument, but for those of the coordinates. */
+    virtual StrokeState compute_state_rate(double argument) = 0;
 
     /** The potentials of Potentials::values at the surface's nodes. */
     virtual FullMatrix<double> compute_potentials(double argument) = 0;
+
+    /**
+     * Torques of the modes together with external forces on them [N m], by Lagrange's equations:
+     * Q_i = d/dt (dT/dc_i') - dT/dc_i.
+     */
+    std::vector<double> compute_torques(double argument, const Drive &drive);
   };
 
   /**
@@ -32,6 +35,41 @@ namespace caudal::ideal
    * differences over twice the @p increment of the argument.
    */
   std::unique_ptr<StrokeModel> create_brute_force(SwimmingShape &shape, double increment);
+
+  /**
+   * The states of one stroke of a periodic gait at equidistant phases, with trigonometric
+   * interpolation between them: for smooth functions its error falls faster than any power of the
+   * number of phases. It does not depend on the frequency. If the second half of the stroke
+   * mirrors the first one, only that is computed.
+   */
+  class PhaseTable : public StrokeModel
+  {
+  public:
+    /**
+     * The phases are shared among the ranks of @p communicator (that of @p shape should be
+     * MPI_COMM_SELF). Collective.
+     */
+    PhaseTable(SwimmingShape &shape, unsigned int n_phases, MPI_Comm communicator);
+
+    MotionCoefficients compute_motion(double psi) override;
+    StrokeState        compute_state(double psi) override;
+    StrokeState        compute_state_rate(double psi) override;
+    FullMatrix<double> compute_potentials(double psi) override;
+
+    /** The number of phases that were computed: all, or half of them. */
+    unsigned int get_n_computed() const
+    {
+      return is_mirrored ? n_phases / 2 : n_phases;
+    }
+
+  private:
+    std::vector<double> compute_weights(double psi, bool of_derivative) const;
+
+    const Gait                 &gait;
+    const unsigned int          n_phases;
+    const bool                  is_mirrored;
+    std::vector<StrokeSolution> solutions; // by phase
+  };
 } // namespace caudal::ideal
 
 #endif

@@ -3,8 +3,8 @@
 #define caudal_ideal_swim_h
 
 #include <caudal/ideal/ideal_state.h>
-#include <caudal/ideal/motion_table.h>
 #include <caudal/ideal/surface_output.h>
+#include <caudal/io/statistics.h>
 
 namespace caudal
 {
@@ -22,9 +22,9 @@ namespace caudal
   class Swim
   {
   public:
-    /** Goes on from the @p state. Refers to all arguments. */
+    /** Goes on from the @p state, with a row of @p table for each time. Refers to all arguments. */
     Swim(const ideal::MotionProblem &problem, const Instants &instants, bool has_torques,
-         const OutputParameters &output, ideal::MotionTable &table, ideal::SurfaceOutput &surface,
+         const OutputParameters &output, Statistics &table, ideal::SurfaceOutput &surface,
          SwimState &state);
 
     /** Takes the first instant. Collective. */
@@ -42,13 +42,13 @@ namespace caudal
     }
 
   private:
-    void write(const ideal::MotionSample &sample);
+    void write();
 
     const ideal::MotionProblem &problem;
     const Instants             &instants;
     const bool                  has_torques;
     const OutputParameters     &output;
-    ideal::MotionTable         &table;
+    Statistics                 &table;
     ideal::SurfaceOutput       &surface;
     SwimState                  &state;
     std::size_t                 next = 0; // instant

@@ -27,18 +27,6 @@ namespace caudal
     double       turn      = 0.; ///< in a stroke, about e_3 [rad]
 
     ideal::EnergyAverages energy; ///< over whole strokes, if there are any
-
-    /** distance/T [m/s] */
-    double get_speed() const;
-
-    /**
-     * Radius of the circle on which the centre of mass stands at the ends of the strokes; 0 if
-     * the body swims straight [m].
-     */
-    double get_radius() const;
-
-    /** Gross power by mass and speed [J/(kg m)]. */
-    double get_cost_of_transport() const;
   };
 
   /** What an ideal fluid leaves out: a paragraph that stands in every summary. */

@@ -3,9 +3,10 @@
 #define caudal_ideal_swimming_shape_h
 
 #include <caudal/fish/gait.h>
-#include <caudal/ideal/boundary_elements.h>
 #include <caudal/ideal/deformation.h>
-#include <caudal/ideal/torques.h>
+#include <caudal/ideal/exterior_flow.h>
+
+#include <deal.II/base/symmetric_tensor.h>
 
 namespace caudal::ideal
 {
@@ -16,14 +17,72 @@ namespace caudal::ideal
     double body  = 1000.;
   };
 
+  /** The torques of the joints that are wanted; those of any swim cost many times as much. */
+  enum class Torques
+  {
+    none,
+    from_rest, ///< at the start, and without external forces
+    any
+  };
+
+  /**
+   * What drives the body: the gait, and the impulses that it has not got from its gait. By
+   * default the gait alone, at the unit rate of its argument.
+   */
+  struct Drive
+  {
+    double rate = 1.;    ///< dpsi/dt
+    Screw  impulse;      ///< (Lambda, Pi)
+    Screw  impulse_rate; ///< its derivative by time, in the body's frame
+
+    /** Their number, without and with impulses. */
+    static constexpr unsigned int n_from_rest = 1, n = 7;
+
+    /** z: the rate, then the impulses. */
+    double get(const unsigned int a) const
+    {
+      return a == 0 ? rate : impulse[a - 1];
+    }
+
+    double get_derivative(const unsigned int a) const
+    {
+      return a == 0 ? 0. : impulse_rate[a - 1];
+    }
+  };
+
+  /**
+   * What the torques of the modes need. A body whose drives are z moves with u = (q, dc/dt) =
+   * sum_a z_a u_a: u_0 is the motion from rest for unit rate of the gait, u_a = (M^-1 e_a, 0)
+   * that of a unit impulse. M is the mass matrix of all motions.
+   */
+  struct TorqueCoefficients
+  {
+    std::vector<double> momenta; ///< (M u_a)_i by mode i, then drive a
+
+    /**
+     * By mode i, then pairs a <= b: dT/dc_i at fixed u = sum_(a<=b) z_a z_b times these, of
+     * which those of a = b are u_a^T (dM/dc_i) u_a/2.
+     */
+    std::vector<double> energy_gradient;
+  };
+
   /** What the rigid motion of the body needs: the impulses are M q + rate P. */
   struct MotionCoefficients
   {
-    Tensor<2, 6> mass;     ///< M, of body and fluid, for q = (omega, v) in the body's frame
-    Screw        momentum; ///< P of the deformation, for dpsi/dt = 1
+    SymmetricTensor<2, 6> mass; ///< M, of body and fluid, for q = (omega, v) in the body's frame
+    Screw                 momentum; ///< P of the deformation, for dpsi/dt = 1
 
     /** q for the impulses @p impulse if the gait's argument advances at @p rate. */
     Screw compute_velocity(const Screw &impulse, double rate) const;
+
+    /** Adds @p factor times the other ones. */
+    void add(double factor, const MotionCoefficients &other);
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &mass &momentum;
+    }
   };
 
   /**
@@ -41,8 +100,28 @@ namespace caudal::ideal
     std::vector<double> rates;                   ///< dc_i/dpsi
     TorqueCoefficients  torques;
 
-    /** T from rest, T_dd - P.M^-1 P/2 [J s^2] */
-    double compute_energy_from_rest() const;
+    /** Adds @p factor times the other one, but for the coordinates and their rates. */
+    void add(double factor, const StrokeState &other);
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &motion &deformation_energy &centre &c &rates &torques.momenta &torques
+          .energy_gradient;
+    }
+  };
+
+  /** A state with the potentials that belong to it, Potentials::values. */
+  struct StrokeSolution
+  {
+    StrokeState        state;
+    FullMatrix<double> potentials;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &state &potentials;
+    }
   };
 
   /** Body, gait and fluid: computes the state at an instant by boundary elements. */
@@ -52,8 +131,7 @@ namespace caudal::ideal
     SwimmingShape(const Surface &surface, const Deformation &deformation, const Gait &gait,
                   const Densities &densities, Torques torques, MPI_Comm communicator);
 
-    /** The state and, unless null, the potentials. */
-    StrokeState compute_state(double argument, FullMatrix<double> *potentials = nullptr);
+    StrokeSolution solve(double argument);
 
     const Surface     &surface;
     const Deformation &deformation;

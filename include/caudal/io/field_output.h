@@ -11,30 +11,22 @@
 
 namespace caudal
 {
-  /** File formats for fields. */
-  enum class FieldFormat
-  {
-    vtu, ///< one compressed .vtu per field and time, listed in solution.pvd
-    hdf5 ///< one .h5 per field and time, listed in solution.xdmf
-  };
-
   /** Section `Output` of the .prm. */
   struct OutputParameters
   {
     std::string  folder              = "output";
     double       field_interval      = 0.02;
     unsigned int statistics_interval = 1;
-    std::string  format              = "vtu";
+    std::string  format              = "vtu"; // or "hdf5"
     unsigned int n_subdivisions      = 1;
 
-    void        add_parameters(dealii::ParameterHandler &prm);
-    void        check() const;
-    FieldFormat get_format() const;
+    void add_parameters(dealii::ParameterHandler &prm);
+    void check() const;
   };
 
   /**
    * Writes the fields of a run so that ParaView opens all of them as one
-   * series in time: solution.pvd (or solution.xdmf) with one block for the
+   * series in time: solution.pvd (or solution.xdmf for HDF5) with one block for the
    * fluid and one for each body, and the data themselves in fields/. The list
    * is replaced at every write, after the data it points to are complete.
    */
@@ -42,10 +34,10 @@ namespace caudal
   {
   public:
     /**
-     * @p folder exists. A resumed run keeps what was written up to @p resume_time [s].
-     * Collective.
+     * @p folder exists; the @p format is that of OutputParameters. A resumed run keeps what was
+     * written up to @p resume_time [s]. Collective.
      */
-    FieldOutput(const std::string &folder, FieldFormat format, MPI_Comm communicator,
+    FieldOutput(const std::string &folder, const std::string &format, MPI_Comm communicator,
                 double resume_time = -1.);
 
     /** Takes what was written of the block @p name after @p time [s] from the list. Collective. */
@@ -70,7 +62,7 @@ namespace caudal
     std::string get_list_name() const;
 
     const std::string folder;
-    const FieldFormat format;
+    const bool        is_vtu; // one compressed .vtu per field and time; else one .h5
     const MPI_Comm    communicator;
 
     std::map<double, Entries> series; // by time as it is listed [s]

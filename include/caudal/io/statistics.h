@@ -51,7 +51,6 @@ namespace caudal
     bool                     has_rows;
 
     std::string read_rows(double time);
-    void        open(const std::string &text);
   };
 } // namespace caudal
 

@@ -6,8 +6,9 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
-#include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -22,29 +23,28 @@ namespace caudal
   {
   public:
     using Coordinates = std::array<int, dim>;
-    using Key         = std::uint64_t;
 
-    explicit CellLattice(const DomainParameters<dim> &parameters);
+    explicit CellLattice(const DomainParameters<dim> &domain)
+        : domain(domain)
+    {}
 
     unsigned int get_finest_level() const
     {
-      return finest_level;
+      return domain.get_finest_level();
     }
-    Tensor<1, dim> get_cell_size(unsigned int level) const;
+
+    Tensor<1, dim> get_cell_size(unsigned int level) const
+    {
+      return domain.get_cell_size(level);
+    }
 
     /** The coordinates on @p level of the cell that holds @p point (inside the domain or not). */
     Coordinates get_coordinates(const Point<dim> &point, unsigned int level) const;
     bool        is_inside(const Coordinates &coordinates, unsigned int level) const;
     Point<dim>  get_lower_corner(const Coordinates &coordinates, unsigned int level) const;
 
-    /** A number for the cell that is unique on its level. */
-    static Key get_key(const Coordinates &coordinates);
-
   private:
-    Point<dim>                    lower_corner;
-    Tensor<1, dim>                coarse_cell_size;
-    std::array<unsigned int, dim> coarse_cells;
-    unsigned int                  finest_level;
+    const DomainParameters<dim> domain;
   };
 
   /**
@@ -85,16 +85,18 @@ namespace caudal
     /** Number of finest cells. */
     std::size_t size() const
     {
-      return keys.back().size();
+      return cells.back().size();
     }
 
     /** Whether each of the cells is an active one of the finest level (collective). */
     bool is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const;
 
   private:
-    using Key = typename CellLattice<dim>::Key;
-    const CellLattice<dim>              &lattice;
-    std::vector<std::unordered_set<Key>> keys;
+    using Coordinates = typename CellLattice<dim>::Coordinates;
+
+    const CellLattice<dim> &lattice;
+
+    std::vector<std::unordered_set<Coordinates, boost::hash<Coordinates>>> cells; // by level
   };
 
   /** Finds the locally owned cells of the finest level by their coordinates. */
@@ -102,12 +104,13 @@ namespace caudal
   class FinestCells
   {
   public:
-    using Cell = typename Triangulation<dim>::active_cell_iterator;
+    using Cell        = typename Triangulation<dim>::active_cell_iterator;
+    using Coordinates = typename CellLattice<dim>::Coordinates;
 
     FinestCells(const CellLattice<dim> &lattice, const Triangulation<dim> &triangulation);
 
     /** nullptr if the cell is not there, not on the finest level or another rank's. */
-    const Cell *find(const typename CellLattice<dim>::Coordinates &coordinates) const;
+    const Cell *find(const Coordinates &coordinates) const;
 
     /** Whether one of them meets the @p box, enlarged by @p margin cells. */
     bool meet(const BoundingBox<dim> &box, double margin) const;
@@ -118,10 +121,10 @@ namespace caudal
     }
 
   private:
-    const CellLattice<dim>                                  &lattice;
-    std::unordered_map<typename CellLattice<dim>::Key, Cell> cells;
-    /** The lowest and the highest coordinates in each direction. */
-    typename CellLattice<dim>::Coordinates lowest, highest;
+    const CellLattice<dim> &lattice;
+
+    std::unordered_map<Coordinates, Cell, boost::hash<Coordinates>> cells;
+    Coordinates lowest, highest; // in each direction
   };
 } // namespace caudal
 

@@ -29,8 +29,15 @@ namespace caudal
     void check() const;
 
     /** Edges of a cell of refinement level @p level [m]. */
-    Tensor<1, dim> get_cell_size(unsigned int level) const;
-    unsigned int   get_finest_level() const
+    Tensor<1, dim> get_cell_size(const unsigned int level) const
+    {
+      Tensor<1, dim> edges;
+      for (unsigned int d = 0; d < dim; ++d)
+        edges[d] = size[d] / cells[d] / (1 << level);
+      return edges;
+    }
+
+    unsigned int get_finest_level() const
     {
       return levels - 1;
     }
@@ -49,6 +56,17 @@ namespace caudal
   template <int dim>
   void make_domain(parallel::distributed::Triangulation<dim> &triangulation,
                    const DomainParameters<dim>               &parameters);
+
+  /**
+   * Builds the cells of @p triangulation anew, from the coarse grid of the domain to the leaves of
+   * its forest. The order of the cells, and with it that of the unknowns and of all sums over
+   * cells, then depends on the forest alone and not on how the grid came about: a grid that was
+   * adapted for a long time and one that was read from a checkpoint are the same. Each rank keeps
+   * its cells. Collective.
+   */
+  template <int dim>
+  void make_canonical(parallel::distributed::Triangulation<dim> &triangulation,
+                      const DomainParameters<dim>               &domain);
 } // namespace caudal
 
 #endif

@@ -15,6 +15,13 @@
 
 namespace caudal
 {
+  /** Throws unless the length is positive; @p path is that of section `Shape`. */
+  void require_positive(double value, const std::string &path, const std::string &entry);
+
+  /** Throws "<path>/<entry>: <sentences>" unless the condition holds. */
+  void require(bool condition, const std::string &path, const std::string &entry,
+               const std::string &sentences);
+
   /** Entries of section `Shape` that several shapes share [m]. */
   struct ShapeLengths
   {
@@ -25,11 +32,24 @@ namespace caudal
 
     /** The sides of the box round an ellipse, rectangle or beam. */
     template <int dim>
-    Tensor<1, dim> get_sides() const;
+    Tensor<1, dim> get_sides() const
+    {
+      const double   sides[] = {length, thickness, width};
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = sides[d];
+      return result;
+    }
 
     /** Throws unless they are positive; @p path is that of section `Shape`. */
     template <int dim>
-    void check_sides(const std::string &path) const;
+    void check_sides(const std::string &path) const
+    {
+      require_positive(length, path, "Length");
+      require_positive(thickness, path, "Thickness");
+      if (dim == 3)
+        require_positive(width, path, "Width");
+    }
   };
 
   /** How a shape is divided into elements and regions: entries of section `Shape`, too. */
@@ -37,9 +57,6 @@ namespace caudal
   {
     std::vector<unsigned int> elements;          ///< along, across, in the third direction
     std::vector<double>       region_boundaries; ///< increasing fractions of the length
-
-    /** The product of the numbers of elements. */
-    double count_elements() const;
 
     /** The lengths of the elements along the body, as fractions; regions end between elements. */
     std::vector<double> compute_steps_along() const;
@@ -127,14 +144,14 @@ namespace caudal
 
   /** The names of the shapes that have (@p property) what is asked for, separated by commas. */
   template <int dim>
-  std::string list_shapes(const std::function<bool(const Shape<dim> &)> &property);
-
-  /** Throws unless the length is positive; @p path is that of section `Shape`. */
-  void require_positive(double value, const std::string &path, const std::string &entry);
-
-  /** Throws "<path>/<entry>: <sentences>" unless the condition holds. */
-  void require(bool condition, const std::string &path, const std::string &entry,
-               const std::string &sentences);
+  std::string list_shapes(const std::function<bool(const Shape<dim> &)> &property)
+  {
+    std::string names;
+    for (const auto &[name, member] : Registry<Shape<dim>>::get_members())
+      if (property(*member.create()))
+        names += (names.empty() ? "" : ", ") + name;
+    return names;
+  }
 
   /** The number of the region that the place @p s, as a fraction of the length, lies in. */
   unsigned int get_region(double s, const std::vector<double> &region_boundaries);
@@ -150,6 +167,10 @@ namespace caudal
    */
   std::vector<double> compute_columns(double first, const std::vector<double> &region_boundaries,
                                       unsigned int n_columns);
+
+  /** Splits each cell of the curved @p coarse into @p n straight-sided ones in each direction. */
+  template <int dim>
+  void subdivide(const Triangulation<dim> &coarse, unsigned int n, Triangulation<dim> &tria);
 } // namespace caudal
 
 #endif

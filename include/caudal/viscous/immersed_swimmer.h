@@ -3,7 +3,7 @@
 #define caudal_viscous_immersed_swimmer_h
 
 #include <caudal/base/outcome.h>
-#include <caudal/io/checkpoint_writer.h>
+#include <caudal/io/checkpoints.h>
 #include <caudal/viscous/advance.h>
 #include <caudal/viscous/case_check.h>
 #include <caudal/viscous/checkpoint.h>

@@ -6,7 +6,7 @@
 #include <caudal/base/time_stepping.h>
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/fluid_parameters.h>
-#include <caudal/io/checkpoint_writer.h>
+#include <caudal/io/checkpoints.h>
 #include <caudal/io/field_output.h>
 #include <caudal/mesh/refinement.h>
 #include <caudal/observe/observers.h>
