@@ -25,9 +25,11 @@ namespace caudal
         std::vector<Vector<double>>           predicted;
         std::vector<InteractionOperator<dim>> interactions;
         std::vector<BodyForces>               forces;
+        const std::vector<Contraction>        contractions = command_muscles(operators, state, dt);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
-          step.state.bodies.push_back(predict_body(operators, state, b, dt));
+          step.state.bodies.push_back(
+              predict_body(*operators.bodies[b], state.bodies[b], contractions[b], dt));
           predicted.push_back(step.state.bodies[b].positions);
         }
         FieldVector convecting = state.fluid.velocity;
@@ -79,16 +81,14 @@ namespace caudal
         return point;
       }
 
-      /** X^n + dt U^n, and what its muscle decides. */
-      static BodyState predict_body(const Operators<dim> &operators, const State<dim> &state,
-                                    const unsigned int b, const double dt)
+      /** X^n + dt U^n, and what its muscle has decided. */
+      static BodyState predict_body(const Body<dim> &body, const BodyState &before,
+                                    const Contraction &contraction, const double dt)
       {
-        const Body<dim> &body   = *operators.bodies[b];
-        const BodyState &before = state.bodies[b];
-        BodyState        next   = before;
-        next.contraction        = body.command_muscle(before, state.time.get_time(), dt);
-        next.old_positions      = before.positions;
-        next.old_velocity       = before.velocity;
+        BodyState next     = before;
+        next.contraction   = contraction;
+        next.old_positions = before.positions;
+        next.old_velocity  = before.velocity;
         next.positions.add(dt, before.velocity);
         body.get_solid().restore_fixed_nodes(next.positions);
         return next;

@@ -23,8 +23,8 @@ namespace caudal
         recall_factorisation(operators, state.solver);
         const TimeWeights weights = state.time.get_weights(dt);
 
-        const auto point =
-            std::make_shared<const Linearisation>(predict(operators, state, weights, dt));
+        const auto point = std::make_shared<const Linearisation>(
+            predict(operators, state, weights, dt, command_muscles(operators, state, dt)));
         const CoupledUnknowns       guess  = make_guess(operators, state, *point);
         const LinearisedBodies<dim> bodies = linearise_bodies(operators, *point);
 
@@ -62,12 +62,10 @@ namespace caudal
       }
 
     private:
-      /**
-       * Extrapolates velocities to the end of the step, and body positions by BDF2. Controllers and
-       * muscles decide on the step.
-       */
+      /** Extrapolates velocities to the end of the step, and body positions by BDF2. */
       static Linearisation predict(const Operators<dim> &operators, const State<dim> &state,
-                                   const TimeWeights &weights, const double dt)
+                                   const TimeWeights &weights, const double dt,
+                                   const std::vector<Contraction> &contractions)
       {
         const auto   &parameters = operators.parameters.fluid;
         Linearisation point;
@@ -88,8 +86,8 @@ namespace caudal
           const BodyState &before   = state.bodies[b];
           Vector<double>   velocity = before.velocity;
           velocity.sadd(weights.extrapolation[0], weights.extrapolation[1], before.old_velocity);
-          point.bodies.push_back({integrate_position(body, before, velocity, weights), velocity,
-                                  body.command_muscle(before, state.time.get_time(), dt)});
+          point.bodies.push_back(
+              {integrate_position(body, before, velocity, weights), velocity, contractions[b]});
         }
         return point;
       }

@@ -81,6 +81,17 @@ namespace caudal
   } // namespace
 
   template <int dim>
+  std::vector<Contraction> command_muscles(const Operators<dim> &operators, const State<dim> &state,
+                                           const double dt)
+  {
+    std::vector<Contraction> contractions;
+    for (unsigned int b = 0; b < operators.bodies.size(); ++b)
+      contractions.push_back(
+          operators.bodies[b]->command_muscle(state.bodies[b], state.time.get_time(), dt));
+    return contractions;
+  }
+
+  template <int dim>
   LinearisedBodies<dim> linearise_bodies(const Operators<dim> &operators,
                                          const Linearisation  &point)
   {
@@ -268,8 +279,10 @@ namespace caudal
   }
 
 #define INSTANTIATE(dim)                                                                             \
-  template void                  recall_factorisation(const Operators<dim> &, const SolverMemory &); \
-  template LinearisedBodies<dim> linearise_bodies(const Operators<dim> &, const Linearisation &);    \
+  template void recall_factorisation(const Operators<dim> &, const SolverMemory &);                  \
+  template std::vector<Contraction> command_muscles(const Operators<dim> &, const State<dim> &,      \
+                                                    double);                                         \
+  template LinearisedBodies<dim>    linearise_bodies(const Operators<dim> &, const Linearisation &); \
   template double apply_bodies_to_fluid(const std::vector<InteractionOperator<dim>> &,               \
                                         const std::vector<BodyState> &, FieldVector &);              \
   template std::vector<BodyUnknowns> solve_and_correct(                                              \

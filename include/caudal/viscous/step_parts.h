@@ -18,6 +18,11 @@ namespace caudal
   template <int dim>
   void recall_factorisation(const Operators<dim> &operators, const SolverMemory &memory);
 
+  /** Muscle to body: what controllers and muscles decide on the step, body by body. */
+  template <int dim>
+  std::vector<Contraction> command_muscles(const Operators<dim> &operators, const State<dim> &state,
+                                           double dt);
+
   /** What the bodies contribute to the equations of a step. */
   template <int dim>
   struct LinearisedBodies
