@@ -38,7 +38,8 @@ namespace caudal
     {
       Vector<float> indicator(space.get_triangulation().n_active_cells());
       FEValues<dim> values(space.velocity_element, QGauss<dim>(2), update_gradients);
-      std::vector<Tensor<1, dim == 2 ? 1 : 3>> vorticities(values.n_quadrature_points);
+      std::vector<typename FEValuesViews::Vector<dim>::template solution_curl_type<double>>
+          vorticities(values.n_quadrature_points);
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
