@@ -9,6 +9,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <cmath>
+
 namespace caudal
 {
   namespace
@@ -31,6 +33,18 @@ namespace caudal
       return cells;
     }
 
+    /** In two dimensions the vorticity is a number from deal.II 9.7 on. */
+    [[maybe_unused]] double get_norm(const double vorticity)
+    {
+      return std::abs(vorticity);
+    }
+
+    template <int n>
+    double get_norm(const Tensor<1, n> &vorticity)
+    {
+      return vorticity.norm();
+    }
+
     /** Largest h |vorticity| of each active cell of this rank, h the cell's edge [m/s]. */
     template <int dim>
     Vector<float> compute_vorticity_indicator(const FluidSpace<dim> &space,
@@ -48,7 +62,7 @@ namespace caudal
           const double h = space.get_cell_size(cell->level()).norm() / std::sqrt(dim);
           for (const auto &vorticity : vorticities)
             indicator[cell->active_cell_index()] =
-                std::max<float>(indicator[cell->active_cell_index()], h * vorticity.norm());
+                std::max<float>(indicator[cell->active_cell_index()], h * get_norm(vorticity));
         }
       return indicator;
     }
