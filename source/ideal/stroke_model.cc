@@ -183,25 +183,26 @@ namespace caudal::ideal
     return motion;
   }
 
-  StrokeState PhaseTable::compute_state(const double psi)
+  StrokeState PhaseTable::interpolate(const std::vector<double> &weights) const
   {
-    const std::vector<double> weights = compute_weights(psi, false);
-    StrokeState               state;
+    StrokeState state;
     for (unsigned int k = 0; k < n_phases; ++k)
       state.add(weights[k], solutions[k].state);
-    const GaitState at = gait.evaluate(psi);
-    state.c            = at.c;
-    state.rates        = at.rates;
+    return state;
+  }
+
+  StrokeState PhaseTable::compute_state(const double psi)
+  {
+    StrokeState     state = interpolate(compute_weights(psi, false));
+    const GaitState at    = gait.evaluate(psi);
+    state.c               = at.c;
+    state.rates           = at.rates;
     return state;
   }
 
   StrokeState PhaseTable::compute_state_rate(const double psi)
   {
-    const std::vector<double> weights = compute_weights(psi, true);
-    StrokeState               rate;
-    for (unsigned int k = 0; k < n_phases; ++k)
-      rate.add(weights[k], solutions[k].state);
-    return rate;
+    return interpolate(compute_weights(psi, true));
   }
 
   FullMatrix<double> PhaseTable::compute_potentials(const double psi)

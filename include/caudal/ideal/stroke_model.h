@@ -65,6 +65,9 @@ namespace caudal::ideal
   private:
     std::vector<double> compute_weights(double psi, bool of_derivative) const;
 
+    /** The sum of the states of all phases times the @p weights. */
+    StrokeState interpolate(const std::vector<double> &weights) const;
+
     const Gait                 &gait;
     const unsigned int          n_phases;
     const bool                  is_mirrored;
