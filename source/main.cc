@@ -4,6 +4,7 @@
 #include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/base/version.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/solid/elastic_body.h>
@@ -15,13 +16,16 @@
 #include <dlfcn.h>
 #include <iostream>
 #include <malloc.h>
+#include <mutex>
 #include <thread>
+#include <unistd.h>
 
 namespace
 {
   using namespace caudal;
 
   volatile std::sig_atomic_t stop_signal = 0;
+  bool                       is_root     = true; // for signal handlers, which can't ask MPI
 
   /** Exit codes. */
   enum Exit
@@ -32,14 +36,30 @@ namespace
   };
 
   /**
-   * SIGINT and SIGTERM, and SIGUSR1 as which scripts/swim forwards them through mpirun. A file
-   * that exceeds its limit is an error like that of a full disk.
+   * Lets @p handler answer to what users, terminals, shells and batch systems send to end a
+   * program. scripts/swim sends SIGUSR1, which mpirun hands on.
    */
-  void catch_signals()
+  void catch_signals(void (*handler)(int))
   {
-    std::signal(SIGXFSZ, SIG_IGN);
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
-      std::signal(signal, [](int) { stop_signal = 1; });
+    for (const int signal :
+         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPIPE, SIGALRM})
+      std::signal(signal, handler);
+  }
+
+  /** Before the first step, while grids are built, there is nothing to save. */
+  void stop_at_once(int)
+  {
+    constexpr char message[] =
+        "Stopped on request before the first step; there is nothing to save.\n";
+    if (is_root && write(STDERR_FILENO, message, sizeof(message) - 1) < 0)
+      _exit(failed);
+    _exit(stopped);
+  }
+
+  /** From then on the run finishes its step and writes a checkpoint. */
+  void stop_after_step(int)
+  {
+    stop_signal = 1;
   }
 
   /**
@@ -69,9 +89,11 @@ namespace
         reinterpret_cast<void (*)(int)>(function)(1);
   }
 
-  /** All ranks stop if one has got the signal. */
+  /** All ranks stop if one has got the signal. The first call is that before the first step. */
   bool stop_requested()
   {
+    static std::once_flag first_call;
+    std::call_once(first_call, catch_signals, stop_after_step);
     return Utilities::MPI::max(static_cast<int>(stop_signal), MPI_COMM_WORLD) > 0;
   }
 
@@ -81,7 +103,6 @@ namespace
    */
   void report_error(const std::string &error)
   {
-    const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (!is_root)
       std::this_thread::sleep_for(std::chrono::seconds(2));
     std::cerr << "Error: " << error << std::endl;
@@ -92,7 +113,7 @@ namespace
   /** Prints rank 0's text. */
   void print(const std::string &text)
   {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (is_root)
       std::cout << text << std::flush;
   }
 
@@ -120,14 +141,17 @@ namespace
         print(verify_restart<Model>(file, /*n_steps=*/10, MPI_COMM_WORLD) + "\n");
         return finished;
       }
-      if (command_line.action == Action::resume)
-        return get_exit(ModelRun<Model>(file, MPI_COMM_WORLD).resume(stop_requested));
+      const ModelRun<Model> run(file, MPI_COMM_WORLD);
+      if (command_line.action == Action::resume ||
+          (command_line.action == Action::resume_or_start && run.can_be_resumed()))
+        return get_exit(run.resume(stop_requested));
     }
-    AssertThrow(command_line.action == Action::run || command_line.action == Action::check,
+    AssertThrow(command_line.action != Action::resume &&
+                    command_line.action != Action::verify_restart,
                 ExcMessage("Model: runs of the model " + file.get("Model", "") +
                            " write no checkpoints. Start the run anew."));
     const ModelRun<Model> run(file, MPI_COMM_WORLD);
-    if (command_line.action == Action::run)
+    if (command_line.action != Action::check)
       return get_exit(run.start(stop_requested));
     std::ostringstream summary;
     run.check(summary, command_line.fast);
@@ -135,14 +159,21 @@ namespace
     return finished;
   }
 
-  /** The parameters of the run in a folder of results, with overrides. */
+  /**
+   * The parameters of the run in a folder of results, with overrides; those in the newest
+   * checkpoint if the file is lost.
+   */
   std::unique_ptr<ParameterFile> read_parameters_of_run(const CommandLine &command_line)
   {
-    const std::string name = command_line.folder + "/parameters.prm";
-    AssertThrow(std::ifstream(name),
+    AssertThrow(OutputFolder::find_progress(command_line.folder) != OutputFolder::Progress::none,
                 ExcMessage("The folder <" + command_line.folder +
-                           "> holds no run of Caudal: there is no parameters.prm. Give the folder "
-                           "of a run's results."));
+                           "> holds no run of Caudal: there is no manifest.txt. Give the folder of "
+                           "a run's results."));
+    const std::string name = command_line.folder + "/parameters.prm";
+    run_on_root(MPI_COMM_WORLD, [&]() {
+      if (!catch_file_error([&]() { read_whole_file(name); }).empty())
+        replace_file(name, find_newest_parameters(command_line.folder));
+    });
     std::vector<std::string> overrides = command_line.overrides;
     overrides.push_back("Output/Folder=" + command_line.folder);
     return std::make_unique<ParameterFile>(name, overrides);
@@ -195,7 +226,10 @@ namespace
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  catch_signals();
+  // A file that exceeds its limit is an error like that of a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  catch_signals(stop_at_once);
   keep_freed_memory();
   use_one_blas_thread();
   Exit              exit  = failed;

@@ -39,16 +39,18 @@ namespace caudal
         const std::string  old_value = get_value(before, path), new_value = get_value(now, path);
         if (old_value == new_value)
           continue;
+        const bool is_of_file =
+            path.size() > contents_ending.size() &&
+            path.substr(path.size() - contents_ending.size()) == contents_ending;
         changes.push_back(path + ": " + old_value + " before, now " + new_value);
-        if (std::regex_match(path, fixed_entries))
+        if (is_of_file || std::regex_match(path, fixed_entries))
           refused += "\n  " + changes.back();
       }
       AssertThrow(
           refused.empty(),
-          ExcMessage(
-              "A run can't be resumed with another grid, other bodies, other gaits or another "
-              "scheme. Leave these as they were, or start a new run:" +
-              refused));
+          ExcMessage("A run can't be resumed with another grid, other bodies, other gaits, another "
+                     "scheme or other input files. Leave these as they were, or start a new run:" +
+                     refused));
       return changes;
     }
   } // namespace
@@ -91,19 +93,32 @@ namespace caudal
     std::vector<std::string> messages = remarks;
     for (const std::string &override_text : file.get_overrides())
       messages.push_back("Override: " + override_text);
-    return run(swimmer, OutputFolder::Start::fresh, messages, stop_requested);
+    const OutputFolder folder(parameters.output.folder, communicator, OutputFolder::Start::fresh,
+                              parameters.output.get_existing_results());
+    return run(swimmer, folder, false, messages, stop_requested);
+  }
+
+  template <class Swimmer>
+  bool ModelRun<Swimmer>::can_be_resumed() const
+  {
+    const std::string &folder = parameters.output.folder;
+    return OutputFolder::find_progress(folder) != OutputFolder::Progress::none &&
+           has_checkpoints(folder);
   }
 
   template <class Swimmer>
   Outcome ModelRun<Swimmer>::resume(const std::function<bool()> &stop_requested) const
   {
-    const std::string           &results = parameters.output.folder;
-    const auto                   slot    = read_newest_checkpoint(results, communicator);
+    const OutputFolder folder(parameters.output.folder, communicator, OutputFolder::Start::resume);
+    const std::string &results = parameters.output.folder;
+    const auto         slot    = read_newest_checkpoint(results, communicator);
     typename Swimmer::Checkpoint checkpoint;
     unpack(slot.data, checkpoint);
     std::ostringstream place;
     place << "Resumed from <" << slot.path << ">, t = " << checkpoint.time << " s.";
     std::vector<std::string> messages = slot.skipped;
+    for (const std::string &damage : slot.damages)
+      messages.push_back("Warning: " + damage);
     messages.push_back(place.str());
     for (const std::string &change :
          compare_parameters(checkpoint.parameters, values, Parameters::fixed_entries))
@@ -112,24 +127,24 @@ namespace caudal
     Swimmer swimmer(parameters, communicator);
     remove_checkpoints_after(results, checkpoint.step_number, communicator);
     swimmer.resume_from(std::move(checkpoint));
-    return run(swimmer, OutputFolder::Start::resume, messages, stop_requested);
+    return run(swimmer, folder, true, messages, stop_requested);
   }
 
   template <class Swimmer>
-  Outcome ModelRun<Swimmer>::run(Swimmer &swimmer, const OutputFolder::Start start,
-                                 const std::vector<std::string> &messages,
-                                 const std::function<bool()>    &stop_requested) const
+  Outcome ModelRun<Swimmer>::run(Swimmer &swimmer, const OutputFolder &folder,
+                                 const bool is_resumed, const std::vector<std::string> &messages,
+                                 const std::function<bool()> &stop_requested) const
   {
-    const OutputFolder folder(parameters.output.folder, communicator, start);
     folder.write_parameters(text);
-    Log log(folder.path("log.txt"), communicator, start == OutputFolder::Start::resume);
+    Log log(folder.add("log.txt"), communicator, is_resumed);
     if (figures.are_printed())
       log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
     for (const std::string &message : messages)
       log << message << std::endl;
     swimmer.set_parameter_values(values);
-    const Outcome outcome = swimmer.run(folder, log, stop_requested);
+    const Outcome outcome =
+        folder.record([&]() { return swimmer.run(folder, log, stop_requested); });
     if (outcome == Outcome::finished)
       print_figures(figures, parameters.output.folder, communicator);
     return outcome;

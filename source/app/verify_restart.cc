@@ -3,8 +3,8 @@
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/ideal/ideal_swimmer.h>
-#include <caudal/io/safe_file.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
 #include <cmath>
@@ -73,6 +73,7 @@ namespace caudal
           if (entry.is_regular_file())
             names.insert(entry.path().filename().string());
       names.erase("log.txt");
+      names.erase("manifest.txt"); // which lists other checkpoints
       std::string differences;
       for (const std::string &name : names)
       {
@@ -95,6 +96,7 @@ namespace caudal
     run.parameters.checkpoint.step_interval      = 0;
     run.parameters.checkpoint.wall_time_interval = 0;
     run.parameters.checkpoint.wall_time_limit    = 0;
+    run.parameters.output.existing_results       = "replace"; // of an earlier verification
     const auto run_in = [&](const std::string &folder, const unsigned int n) {
       run.parameters.output.folder = base + folder;
       return run.start(stop_after(n));

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -36,6 +38,18 @@ namespace caudal
   void check_not_negative(const std::string &path, const double value, const std::string &remedy)
   {
     check_value(value >= 0, path, value, remedy);
+  }
+
+  void check_name(const std::string &path, const std::string &name)
+  {
+    const auto is_allowed = [](const char c) {
+      const auto byte = static_cast<unsigned char>(c);
+      return byte >= 0x80 || std::isalnum(byte) || c == '_' || c == '-' || c == '+' || c == ' ';
+    };
+    AssertThrow(!name.empty() && std::all_of(name.begin(), name.end(), is_allowed),
+                ExcMessage(path + ": the name <" + name +
+                           "> can't be part of the names of files. Use letters, digits, '_' and "
+                           "'-' only."));
   }
 
   void check_between(const std::string &path, const double value, const double lowest,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
+#include <caudal/base/memory.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <new>
 #include <sstream>
 
 using namespace dealii;
@@ -22,6 +24,10 @@ namespace caudal
       std::ostringstream text;
       exception.print_info(text);
       return Utilities::trim(text.str());
+    }
+    catch (const std::bad_alloc &)
+    {
+      return describe_lack_of_memory();
     }
     catch (const std::exception &exception)
     {

@@ -12,10 +12,12 @@ namespace caudal
 
     void choose(CommandLine &line, const CommandLine::Action action)
     {
-      AssertThrow(line.action == CommandLine::Action::run || line.action == action,
-                  dealii::ExcMessage("Of --resume, --verify-restart, --check, --help, --version "
-                                     "and --print-parameters only one can be given." +
-                                     remedy));
+      AssertThrow(
+          line.action == CommandLine::Action::run || line.action == action,
+          dealii::ExcMessage(
+              "Of --resume, --resume-or-start, --verify-restart, --check, --help, --version "
+              "and --print-parameters only one can be given." +
+              remedy));
       line.action = action;
     }
   } // namespace
@@ -43,6 +45,8 @@ namespace caudal
         line.fast = true;
       else if (*argument == "--verify-restart")
         choose(line, Action::verify_restart);
+      else if (*argument == "--resume-or-start")
+        choose(line, Action::resume_or_start);
       else if (*argument == "--resume")
       {
         choose(line, Action::resume);
@@ -79,7 +83,8 @@ namespace caudal
     AssertThrow(!line.fast || line.action == Action::check,
                 ExcMessage("--fast makes --check faster, which is not given." + remedy));
     const bool needs_file = line.action == Action::run || line.action == Action::check ||
-                            line.action == Action::verify_restart;
+                            line.action == Action::verify_restart ||
+                            line.action == Action::resume_or_start;
     AssertThrow(!needs_file || !line.file.empty(),
                 ExcMessage("There is no parameter file on the command line." + remedy));
     return line;
@@ -94,6 +99,10 @@ namespace caudal
            "  caudal --resume FOLDER      go on with the run whose results are in this folder, "
            "from\n"
            "                              its newest whole checkpoint\n"
+           "  caudal --resume-or-start file.prm\n"
+           "                              go on with the run of this case if there is a checkpoint "
+           "of\n"
+           "                              it, else start it: for batch scripts\n"
            "  caudal --check [--fast] file.prm\n"
            "                              check the case; show its size, how it is resolved, what "
            "it\n"
@@ -112,8 +121,12 @@ namespace caudal
            "  -D \"Section/Entry=value\"    set a parameter after reading the file; repeatable\n"
            "\n"
            "Several ranks: mpirun -np N caudal file.prm.\n"
-           "Exit codes: 0 finished, 1 error, 2 stopped on request (SIGINT, SIGTERM, SIGUSR1) or "
-           "by\n"
-           "Checkpoint/Wall time limit, with a checkpoint to resume from.\n";
+           "Exit codes: 0 finished, 1 error, 2 stopped on request (SIGINT, SIGTERM, SIGHUP, "
+           "SIGUSR1,\n"
+           "SIGUSR2, SIGXCPU and the like) or by Checkpoint/Wall time limit, with a checkpoint to "
+           "resume\n"
+           "from. mpirun kills its ranks soon after a SIGTERM, but hands on SIGUSR1 and SIGUSR2: "
+           "send it\n"
+           "one of these.\n";
   }
 } // namespace caudal

@@ -2,6 +2,7 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // property_tree's parser relies on them, noisily
 
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/safe_file.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
@@ -36,7 +37,8 @@ namespace caudal
       return what;
     }
 
-    const std::regex selection(R"(\[Selection (.*?) ?\])");
+    const std::string input_file = "[FileName (Type: input)]"; // as a pattern describes itself
+    const std::regex  selection(R"(\[Selection (.*?) ?\])");
 
     /** The names that a pattern allows, if it is a selection. */
     std::vector<std::string> extract_choices(const std::string &pattern)
@@ -59,6 +61,8 @@ namespace caudal
         return "true or false";
       if (pattern == "[Anything]")
         return "any text";
+      if (pattern == input_file)
+        return "the name of a file";
       if (std::regex_match(pattern, match, range))
         return describe_range(match[1] == "Double" ? "a number" : "an integer", match[2], match[3]);
       if (std::regex_match(pattern, match, selection))
@@ -93,10 +97,10 @@ namespace caudal
         if (child.count("pattern_description") > 0)
         {
           const auto pattern = child.get<std::string>("pattern_description");
-          section.entries.push_back({child_name, child.get<std::string>("value"),
-                                     child.get<std::string>("default_value"),
-                                     describe_pattern(pattern), extract_choices(pattern),
-                                     child.get<std::string>("documentation")});
+          section.entries.push_back(
+              {child_name, child.get<std::string>("value"), child.get<std::string>("default_value"),
+               describe_pattern(pattern), extract_choices(pattern),
+               child.get<std::string>("documentation"), pattern == input_file});
         }
         else if (child.count("alias") == 0)
           section.sections.push_back(extract_section(child_name, child));
@@ -107,7 +111,13 @@ namespace caudal
                         ParameterValues &values)
     {
       for (const DeclaredEntry &entry : section.entries)
+      {
         values[path + entry.name] = entry.value;
+        std::string contents;
+        if (entry.names_input_file &&
+            catch_file_error([&]() { contents = read_whole_file(entry.value); }).empty())
+          values[path + entry.name + contents_ending] = compute_checksum(contents);
+      }
       for (const DeclaredSection &inner : section.sections)
         collect_values(inner, path + inner.name + "/", values);
     }

@@ -5,6 +5,8 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <iostream>
+#include <regex>
 #include <sstream>
 
 namespace caudal
@@ -52,7 +54,9 @@ namespace caudal
   template <int dim>
   void Expression<dim>::parse()
   {
-    bool is_valid = true;
+    bool               is_valid = true;
+    std::ostringstream reason; // deal.II prints muParser's
+    const auto         terminal = std::cerr.rdbuf(reason.rdbuf());
     try
     {
       function.initialize(variables, text, {{"pi", numbers::PI}}, /*time_dependent=*/is_in_space);
@@ -62,8 +66,13 @@ namespace caudal
     {
       is_valid = false;
     }
+    std::cerr.rdbuf(terminal);
+    std::smatch       message;
+    const std::string reasons = reason.str();
+    const bool has_message = std::regex_search(reasons, message, std::regex("Message:\\s*<(.*)>"));
     AssertThrow(is_valid,
                 ExcMessage(path + ": <" + text + "> is not a valid function of " + variables +
+                           (has_message ? " (" + message[1].str() + ")" : "") +
                            ". See https://beltoforion.de/en/muparser for what it may contain."));
   }
 

@@ -2,12 +2,13 @@
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/parameter_file.h>
 #include <caudal/base/plugin.h>
+#include <caudal/base/safe_file.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <optional>
 #include <regex>
@@ -17,19 +18,43 @@ namespace caudal
 {
   namespace
   {
-    /** Removes a comment, the blanks at both ends and repeated ones within. */
-    std::string tidy(const std::string &line)
+    const char *const blanks = " \t";
+
+    /** The deepest includes: more of them are a mistake. */
+    constexpr std::size_t largest_depth = 50;
+
+    /** Removes the blanks at both ends. */
+    std::string trim(const std::string &text)
     {
-      std::istringstream words(line.substr(0, line.find('#')));
-      std::string        result, word;
+      const std::size_t begin = text.find_first_not_of(blanks);
+      return begin == std::string::npos
+                 ? ""
+                 : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+    }
+
+    /** A name, in which repeated blanks count as one. */
+    std::string tidy_name(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        name, word;
       while (words >> word)
-        result += (result.empty() ? "" : " ") + word;
-      return result;
+        name += (name.empty() ? "" : " ") + word;
+      return name;
+    }
+
+    /** Where a comment begins in @p text: at a '#' at its start or behind a blank. */
+    std::size_t find_comment(const std::string &text)
+    {
+      std::size_t hash = text.find('#');
+      while (hash != std::string::npos && hash > 0 && text[hash - 1] != ' ' &&
+             text[hash - 1] != '\t')
+        hash = text.find('#', hash + 1);
+      return hash;
     }
 
     /**
-     * Reads the next line that is not empty, with its continuations, and counts
-     * the lines: @p number is that of the first of them.
+     * Reads the next line that is not empty, with its continuations and without comments, and
+     * counts the lines: @p number is that of the first of them.
      */
     bool read_line(std::istream &stream, std::string &line, unsigned int &number,
                    unsigned int &next)
@@ -39,12 +64,12 @@ namespace caudal
       while (line.empty() && std::getline(stream, raw_line))
       {
         number = next++;
-        line   = tidy(raw_line);
+        line   = trim(raw_line.substr(0, find_comment(raw_line)));
         while (!line.empty() && line.back() == '\\' && std::getline(stream, raw_line))
         {
           ++next;
-          line.back() = ' ';
-          line        = tidy(line + raw_line);
+          line.pop_back();
+          line = trim(trim(line) + " " + trim(raw_line.substr(0, find_comment(raw_line))));
         }
       }
       return !line.empty();
@@ -174,6 +199,37 @@ namespace caudal
       return found == plugins.end() ? "" : *found;
     }
 
+    /** The text with whole numbers like 1e5 or 2.5e3 written out. */
+    std::string write_out_whole_numbers(const std::string &text)
+    {
+      static const std::regex scientific(R"(\d+(\.\d*)?[eE]\+?\d+)");
+      std::string             result;
+      std::size_t             end = 0;
+      for (std::sregex_iterator match(text.begin(), text.end(), scientific), last; match != last;
+           ++match)
+      {
+        const double number = std::stod(match->str());
+        result += text.substr(end, match->position() - end);
+        result += number == std::floor(number) && number < 1e15
+                      ? std::to_string(static_cast<long long>(number))
+                      : match->str();
+        end = match->position() + match->length();
+      }
+      return result + text.substr(end);
+    }
+
+    /**
+     * The name of an input file that was given at @p origin, "fish.prm:12": relative to that file's
+     * folder if it is there, else, as it is, to the working directory.
+     */
+    std::string find_input_file(const std::string &name, const std::string &origin)
+    {
+      const auto folder = std::filesystem::path(origin.substr(0, origin.rfind(':'))).parent_path();
+      const std::filesystem::path beside = (folder / name).lexically_normal();
+      std::error_code             ignored;
+      return !name.empty() && std::filesystem::exists(beside, ignored) ? beside.string() : name;
+    }
+
     /** Sets an entry that is known to be declared. Returns what is wrong, or nothing. */
     std::string set_entry(ParameterHandler &prm, const std::vector<std::string> &sections,
                           const DeclaredEntry &entry, const std::string &value)
@@ -183,7 +239,8 @@ namespace caudal
         prm.enter_subsection(name);
       try
       {
-        prm.set(entry.name, value);
+        const bool is_whole = entry.allowed.find("an integer") != std::string::npos;
+        prm.set(entry.name, is_whole ? write_out_whole_numbers(value) : value);
       }
       catch (const ExceptionBase &)
       {
@@ -302,7 +359,10 @@ namespace caudal
                  ? ""
                  : sentence + suggest(name, get_names(section->sections));
     if (const DeclaredEntry *const known = section->find_entry(name))
-      return set_entry(prm, assignment.sections, *known, assignment.value);
+      return set_entry(prm, assignment.sections, *known,
+                       known->names_input_file && !assignment.is_override
+                           ? find_input_file(assignment.value, assignment.origin)
+                           : assignment.value);
     return sentence + suggest(name, get_names(section->entries));
   }
 
@@ -378,13 +438,17 @@ namespace caudal
                            Sections sections, std::set<std::string> &open_files)
   {
     const std::string by = included_from.empty() ? "" : included_from + ": ";
-    std::ifstream     stream(file);
-    AssertThrow(
-        stream && !std::filesystem::is_directory(file),
-        ExcMessage(by + "the file <" + file + "> can't be read. Give an existing .prm file."));
+    std::string       text;
+    const std::string reason = catch_file_error([&]() { text = read_text_file(file); });
+    AssertThrow(reason.empty(), ExcMessage(by + "the file <" + file + "> can't be read: " + reason +
+                                           ". Give an existing .prm file."));
     const std::string identity = std::filesystem::canonical(file);
     AssertThrow(open_files.insert(identity).second,
                 ExcMessage(by + "the file <" + file + "> includes itself. Remove this line."));
+    AssertThrow(open_files.size() <= largest_depth,
+                ExcMessage(by + "files include each other more than " +
+                           std::to_string(largest_depth) + " deep. Include them side by side."));
+    std::istringstream stream(text);
 
     const std::size_t        outer_depth = sections.size();
     std::vector<std::string> openings; // where each open section of this file begins
@@ -393,15 +457,15 @@ namespace caudal
     while (read_line(stream, line, number, next_number))
     {
       const std::string origin   = file + ":" + std::to_string(number);
-      const std::size_t blank    = line.find(' ');
+      const std::size_t blank    = line.find_first_of(blanks);
       const std::string keyword  = line.substr(0, blank);
-      const std::string argument = blank == std::string::npos ? "" : line.substr(blank + 1);
+      const std::string argument = blank == std::string::npos ? "" : trim(line.substr(blank));
       const std::size_t equals   = argument.find('=');
 
       if (keyword == "subsection" && !argument.empty())
       {
         openings.push_back(origin);
-        sections.push_back(argument);
+        sections.push_back(tidy_name(argument));
         assignments.push_back({sections, "", "", origin});
       }
       else if (line == "end")
@@ -415,8 +479,8 @@ namespace caudal
       else if (keyword == "include" && !argument.empty())
         read(std::filesystem::path(file).parent_path() / argument, origin, sections, open_files);
       else if (keyword == "set" && equals != std::string::npos && equals > 0)
-        assignments.push_back({sections, tidy(argument.substr(0, equals)),
-                               tidy(argument.substr(equals + 1)), origin});
+        assignments.push_back({sections, tidy_name(argument.substr(0, equals)),
+                               trim(argument.substr(equals + 1)), origin});
       else
         AssertThrow(false,
                     ExcMessage(origin + ": the line <" + line + "> can't be understood. Write " +
@@ -434,6 +498,7 @@ namespace caudal
     const std::string origin = "-D \"" + text + "\"";
     const std::size_t equals = text.find('=');
     Sections          names  = Utilities::split_string_list(text.substr(0, equals), '/');
+    std::transform(names.begin(), names.end(), names.begin(), tidy_name);
     AssertThrow(equals != std::string::npos && !names.empty() &&
                     std::find(names.begin(), names.end(), "") == names.end(),
                 ExcMessage(origin + ": an override is written <Section/Entry=value>."));
@@ -442,6 +507,11 @@ namespace caudal
     names.pop_back();
     for (unsigned int depth = 1; depth <= names.size(); ++depth)
       assignments.push_back({Sections(names.begin(), names.begin() + depth), "", "", origin, true});
-    assignments.push_back({names, entry, tidy(text.substr(equals + 1)), origin, true});
+    const std::string value = trim(text.substr(equals + 1));
+    // The run's parameters.prm could not say it.
+    AssertThrow(find_comment(" " + value) == std::string::npos,
+                ExcMessage(origin + ": a '#' behind a blank starts a comment in a parameter file. "
+                                    "Leave the blank out."));
+    assignments.push_back({names, entry, value, origin, true});
   }
 } // namespace caudal

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cctype>
 #include <dlfcn.h>
 #include <filesystem>
@@ -24,6 +25,8 @@ namespace caudal
   {
     std::string section = name;
     section[0]          = static_cast<char>(std::toupper(static_cast<unsigned char>(section[0])));
+    // deal.II's parameter handler, which writes all entries as JSON, takes it for a separator.
+    section.erase(std::remove(section.begin(), section.end(), '.'), section.end());
     return section;
   }
 

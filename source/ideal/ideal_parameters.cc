@@ -120,6 +120,8 @@ namespace caudal
     AssertThrow(!body_name.empty() && body_name.find(',') == std::string::npos,
                 ExcMessage("Bodies: the value is <" + body_name +
                            ">. Give one name: the ideal fluid has one body."));
+    if (file)
+      check_name("Bodies", body_name);
   }
 
   std::vector<RenamedEntry> IdealParameters::get_renamed_entries()
@@ -134,6 +136,7 @@ namespace caudal
             {"Gait/Type", gait + "Type", "curvature", "curvature wave"},
             {"Gait/Amplitude", gait + "Sine/Amplitude"},
             {"Gait/Curvature", gait + "Curvature wave/Amplitude"},
+            {"Resistance/Drag coefficient", "Resistance/Cross-flow coefficient"},
             {"Shape", "Body fish/Shape"},
             {"Gait", "Body fish/Gait"},
             {"Body", "Body fish"}};

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/memory.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/ideal/resistance.h>
 #include <caudal/ideal/swim.h>
 #include <caudal/ideal/swim_summary.h>
 #include <caudal/io/progress.h>
-#include <caudal/io/safe_file.h>
 
 #include <deal.II/base/timer.h>
 
@@ -42,7 +43,14 @@ namespace caudal
                        parameters.get_densities(), the_case.get_torques(),
                        the_case.uses_table() ? MPI_COMM_SELF : communicator)
       , checkpoints(parameters.checkpoint, communicator)
-  {}
+  {
+    const double n = the_case.surface.n_nodes();
+    check_memory(communicator,
+                 n * n * sizeof(double) * Utilities::MPI::n_mpi_processes(communicator),
+                 "Surface/Cells along: there are " + std::to_string(the_case.surface.n_nodes()) +
+                     " panels on the surface",
+                 "Give fewer cells along or across.");
+  }
 
   std::string IdealSwimmer::get_suffix(const double frequency) const
   {
@@ -71,14 +79,16 @@ namespace caudal
     return table;
   }
 
-  void IdealSwimmer::write_checkpoint()
+  void IdealSwimmer::write_checkpoint(const Output &output)
   {
-    if (!checkpoints.has_written(state.step_number))
-      checkpoints.write(pack(state), state.step_number, state.time);
+    if (checkpoints.has_written(state.step_number))
+      return;
+    state.fields = output.fields.get_series();
+    checkpoints.write(pack(state), state.step_number, state.time);
   }
 
-  /** Cuts off tables and fields where their swims go on; of swims that are to begin anew, all. */
-  void IdealSwimmer::remove_later_results(Output &output) const
+  /** Removes the summary, and the tables of swims that are to begin anew. */
+  void IdealSwimmer::remove_later_results(const Output &output) const
   {
     run_on_root(communicator, [&]() {
       for (const char *const ending : {"txt", "csv", "json"})
@@ -87,13 +97,9 @@ namespace caudal
     const std::vector<double> frequencies = the_case.gait->get_frequencies();
     for (std::size_t k = 0; k < frequencies.size(); ++k)
     {
-      const std::string suffix    = get_suffix(frequencies[k]);
-      const bool        has_begun = k < state.swims.size();
-      output.fields.remove_after(get_block_name(suffix),
-                                 has_begun ? state.swims[k].last.time : -1.);
-      if (!has_begun)
-        run_on_root(communicator,
-                    [&]() { std::filesystem::remove(output.folder.path(get_table_name(suffix))); });
+      const std::string table = output.folder.path(get_table_name(get_suffix(frequencies[k])));
+      if (k >= state.swims.size())
+        run_on_root(communicator, [&]() { std::filesystem::remove(table); });
     }
   }
 
@@ -112,7 +118,7 @@ namespace caudal
     const std::string suffix  = get_suffix(frequency);
     const Instants    instants(parameters.time.get_times(),
                             the_case.has_strokes() ? 1. / frequency : 0.);
-    Statistics        table(is_root ? output.folder.path(get_table_name(suffix)) : "",
+    Statistics        table(is_root ? output.folder.add_table(get_table_name(suffix)) : "",
                      swim_state.has_begun() ? swim_state.last.time : -1.);
     SurfaceOutput surface(swimming_shape, model, output.fields, get_block_name(suffix),
                           parameters.output.n_subdivisions);
@@ -130,7 +136,7 @@ namespace caudal
       const std::string error = catch_error([&]() { body = swim.integrate(); });
       if (!error.empty())
       {
-        write_checkpoint();
+        write_checkpoint(output);
         AssertThrow(false,
                     ExcMessage(error + " The last state, t = " + std::to_string(state.time) +
                                " s, is kept: caudal --resume " + output.folder.path() + "."));
@@ -141,7 +147,7 @@ namespace caudal
       if (shows_progress)
         progress.update(state.time, state.step_number);
       if (checkpoints.is_due(state.step_number))
-        write_checkpoint();
+        write_checkpoint(output);
     }
     if (shows_progress)
       progress.finish();
@@ -170,9 +176,9 @@ namespace caudal
       summaries.push_back(summary);
     }
     run_on_root(communicator, [&]() {
-      replace_file(folder.path("summary.txt"), print_text(summaries));
-      replace_file(folder.path("summary.csv"), print_csv(summaries));
-      replace_file(folder.path("summary.json"), print_json(summaries));
+      replace_file(folder.add("summary.txt"), print_text(summaries));
+      replace_file(folder.add("summary.csv"), print_csv(summaries));
+      replace_file(folder.add("summary.json"), print_json(summaries));
       log << "\n" << print_text(summaries);
     });
   }
@@ -185,11 +191,10 @@ namespace caudal
     const auto model      = create_model(log);
     const bool is_resumed = !state.swims.empty();
     Output     output{folder, log,
-                  FieldOutput(folder.path(), parameters.output.format, communicator,
-                              is_resumed ? std::numeric_limits<double>::infinity() : -1.)};
+                  FieldOutput(folder, parameters.output.format, communicator, state.fields)};
     if (is_resumed)
       remove_later_results(output);
-    checkpoints.start(folder.path());
+    checkpoints.start(folder);
 
     const std::vector<double> frequencies = the_case.gait->get_frequencies();
     bool                      is_at_end   = true;
@@ -199,7 +204,7 @@ namespace caudal
         state.swims.emplace_back();
       is_at_end = swim(*model, frequencies[k], state.swims[k], output, stop_requested);
     }
-    write_checkpoint();
+    write_checkpoint(output);
     if (is_at_end)
       write_summaries(*model, folder, log);
     else

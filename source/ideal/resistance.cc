@@ -60,12 +60,20 @@ namespace caudal::ideal
   {
     prm.enter_subsection("Resistance");
     prm.add_parameter("Active", active,
-                      "Whether friction and form drag act on the surface, by the formulas of a "
-                      "plate: a crude substitute for viscosity, without a wake.");
+                      "Whether friction and a cross-flow force act on the surface, by the "
+                      "formulas of a plate: a crude substitute for viscosity, without a wake.");
     prm.add_parameter("Friction coefficient", friction,
-                      "C_f, relative to (1/2) rho u_t^2 dS [1]; 0: 1.328 Re^(-1/2).");
-    prm.add_parameter("Drag coefficient", drag,
-                      "C_D, relative to (1/2) rho u_n^2 dS of motion normal to the surface [1].");
+                      "C_f of the force (1/2) rho C_f u_t^2 dS against the motion along the "
+                      "surface [1]. 0: that of a laminar boundary layer, 1.328 Re^(-1/2) (Blasius "
+                      "1908), good up to Re = 5e5; from there on 0.074 Re^(-1/5) (Prandtl 1927) "
+                      "is usual, which has to be given.");
+    prm.add_parameter("Cross-flow coefficient", drag,
+                      "C_D of the force (1/2) rho C_D u_n^2 dS against the motion normal to the "
+                      "surface, on each side of the body [1]; 0: none. 1 gives a plate across the "
+                      "flow the drag coefficient 2, a long cylinder 1.33 and a sphere 1, about "
+                      "what is measured (Hoerner, Fluid-Dynamic Drag, 1965). It is not the drag of "
+                      "a swimming fish: the undulating sides push it forward as well, so that a "
+                      "larger one can make it faster.");
     prm.add_parameter("Kinematic viscosity", viscosity, "For Re [m^2/s].");
     prm.leave_subsection();
   }
@@ -74,7 +82,7 @@ namespace caudal::ideal
   {
     const std::string remedy = "Give a number that is not negative.";
     check_not_negative("Resistance/Friction coefficient", friction, remedy);
-    check_not_negative("Resistance/Drag coefficient", drag, remedy);
+    check_not_negative("Resistance/Cross-flow coefficient", drag, remedy);
     check_positive("Resistance/Kinematic viscosity", viscosity, "Give a positive one.");
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/ideal/surface.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -7,7 +8,6 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 
-#include <fstream>
 #include <map>
 
 namespace caudal::ideal
@@ -97,9 +97,9 @@ namespace caudal::ideal
 
   void Surface::read(const std::string &file_name)
   {
-    std::ifstream stream(file_name);
-    AssertThrow(stream, ExcMessage("Shape/File/Name: the mesh <" + file_name +
-                                   "> can't be read. Give an existing file."));
+    const std::string reason = catch_file_error([&]() { read_whole_file(file_name); });
+    AssertThrow(reason.empty(), ExcMessage("Shape/File/Name: the mesh can't be read: " + reason +
+                                           ". Give an existing file."));
     try
     {
       GridIn<2, 3> grid_in(triangulation);

@@ -29,7 +29,11 @@ namespace caudal
     return "The fluid is ideal: no viscous drag, no boundary layer, no wake, and so no\n"
            "thrust from shed vortices. The body moves by the exchange of momentum with the\n"
            "fluid that it displaces; work done in a part of the stroke is returned in\n"
-           "another, and speed is proportional to frequency. The figures of Yao et al. are not\n"
+           "another, and speed is proportional to frequency. Powers are those of the joints\n"
+           "against this fluid: without Resistance they vanish on average, and no power or cost\n"
+           "of a real fish follows from them. Resistance, where it is active, acts on each piece\n"
+           "of the surface by itself: friction slows the fish down, but the cross-flow force\n"
+           "also drives it, by its undulating sides. The figures of Yao et al. are not\n"
            "reproduced exactly, as their paper leaves units of the shape, phase lag and\n"
            "amplitude open: compare trends.\n";
   }

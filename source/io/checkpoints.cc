@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/io/checkpoints.h>
-#include <caudal/io/safe_file.h>
-
-#include <boost/crc.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -46,27 +44,22 @@ namespace caudal
   {
     namespace fs = std::filesystem;
 
-    const std::string title  = "Checkpoint of a run of Caudal, format 1";
-    const std::string prefix = "step-";
+    const std::string title       = "Checkpoint of a run of Caudal, format 2";
+    const std::string prefix      = "step-";
+    const std::string copy_ending = "-copy"; // of a slot that is being written anew
+    // The files of a slot
+    const std::string state_name = "state", parameters_name = "parameters.prm",
+                      manifest_name = "manifest";
 
     std::string get_folder(const std::string &results)
     {
       return results + "/restart";
     }
 
-    std::string compute_checksum(const std::string &text)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(text.data(), text.size());
-      std::ostringstream result;
-      result << std::hex << std::setw(8) << std::setfill('0') << crc.checksum();
-      return result.str();
-    }
-
     /** The step of a slot's folder; a name that is none gives -1. */
     long get_step(const fs::path &path)
     {
-      static const std::regex pattern(prefix + "(\\d{8})");
+      static const std::regex pattern(prefix + "(\\d{8})(" + copy_ending + ")?");
       const std::string       name = path.filename().string();
       std::smatch             match;
       return std::regex_match(name, match, pattern) ? std::stol(match[1]) : -1;
@@ -85,36 +78,102 @@ namespace caudal
       return slots;
     }
 
-    std::string make_manifest(const std::string &data, const unsigned int step, const double time)
+    /** Size and checksum, by which a file is recognised. */
+    std::string describe(const std::string &text)
+    {
+      return std::to_string(text.size()) + ' ' + compute_checksum(text);
+    }
+
+    std::string make_manifest(const std::string &data, const std::string &parameters,
+                              const unsigned int step, const double time,
+                              const OutputFolder &output)
     {
       std::ostringstream text;
-      text << title << "\nstep " << step << "\ntime " << std::setprecision(17) << time
-           << " s\nstate " << data.size() << ' ' << compute_checksum(data) << '\n';
+      text << title << "\nstep " << step << "\ntime " << std::setprecision(17) << time << " s\n"
+           << state_name << ' ' << describe(data) << '\n'
+           << parameters_name << ' ' << describe(parameters) << '\n';
+      for (const std::string &table : output.get_tables())
+      {
+        // A table that is gone is told by its next row.
+        std::string rows;
+        if (catch_file_error([&]() { rows = read_whole_file(output.path(table)); }).empty())
+          text << "table " << describe(rows) << ' ' << table << '\n';
+      }
       return text.str() + "manifest " + compute_checksum(text.str()) + '\n';
     }
 
-    /** The state in a slot, or an exception that says why it is not whole. */
-    std::string read_slot(const fs::path &slot)
+    /** The lines of a slot's manifest, or an exception that says why it can't be believed. */
+    std::vector<std::string> read_manifest(const fs::path &slot)
     {
-      const std::string manifest = read_whole_file(slot / "manifest");
+      const std::string manifest = read_whole_file(slot / manifest_name);
       const std::size_t end      = manifest.rfind("manifest ");
       if (end == std::string::npos ||
           manifest.substr(end) != "manifest " + compute_checksum(manifest.substr(0, end)) + '\n')
         throw std::runtime_error("its manifest is damaged");
       if (manifest.rfind(title + '\n', 0) != 0)
         throw std::runtime_error("it was written in another format, by another version of Caudal");
-      std::istringstream words(manifest.substr(manifest.find("\nstate ")));
-      std::string        word, checksum;
-      std::size_t        size = 0;
-      words >> word >> size >> checksum;
+      return Utilities::split_string_list(manifest.substr(0, end), '\n');
+    }
 
-      const std::string data = read_whole_file(slot / "state");
-      if (data.size() != size)
-        throw std::runtime_error("its state has " + std::to_string(data.size()) +
-                                 " bytes instead of " + std::to_string(size));
-      if (compute_checksum(data) != checksum)
-        throw std::runtime_error("its state is damaged (the checksums differ)");
-      return data;
+    /** A file of a slot, or an exception that says what is wrong with it. */
+    std::string read_part(const fs::path &slot, const std::string &name,
+                          const std::vector<std::string> &manifest)
+    {
+      const std::string text = read_whole_file(slot / name);
+      if (std::find(manifest.begin(), manifest.end(), name + ' ' + describe(text)) ==
+          manifest.end())
+        throw std::runtime_error("its file <" + name + "> is damaged (size or checksum differ)");
+      return text;
+    }
+
+    /** What is wrong with the tables of @p results that the manifest knows. */
+    std::vector<std::string> find_damages(const fs::path                 &results,
+                                          const std::vector<std::string> &manifest)
+    {
+      std::vector<std::string> damages;
+      for (const std::string &line : manifest)
+      {
+        if (line.rfind("table ", 0) != 0)
+          continue;
+        std::istringstream words(line);
+        std::string        word, checksum, name;
+        std::size_t        size = 0;
+        words >> word >> size >> checksum >> std::ws;
+        std::getline(words, name);
+        std::string       text;
+        const std::string reason =
+            catch_file_error([&]() { text = read_whole_file(results / name); });
+        const std::string damage =
+            !reason.empty()      ? " is missing or can't be read (" + reason + ")"
+            : text.size() < size ? " has lost its end, " + std::to_string(size - text.size()) +
+                                       " of " + std::to_string(size) + " bytes"
+            : compute_checksum(text.substr(0, size)) != checksum
+                ? " was changed since the checkpoint was written"
+                : "";
+        if (!damage.empty())
+          damages.push_back("<" + name + ">" + damage +
+                            ". What it still holds is kept; the rest can't be restored.");
+      }
+      return damages;
+    }
+
+    /** Reads a slot, or throws an exception that says why it is not whole. */
+    void read_slot(const fs::path &slot, CheckpointSlot &checkpoint)
+    {
+      const std::vector<std::string> manifest = read_manifest(slot);
+      checkpoint.data                         = read_part(slot, state_name, manifest);
+      checkpoint.parameters                   = read_part(slot, parameters_name, manifest);
+      checkpoint.damages = find_damages(slot.parent_path().parent_path(), manifest);
+      checkpoint.path    = slot.string();
+    }
+
+    /** Removes a slot, but no file of somebody else in it. */
+    void remove_slot(const fs::path &slot)
+    {
+      for (const std::string &name : {manifest_name, state_name, parameters_name})
+        fs::remove(slot / name);
+      std::error_code ignored;
+      fs::remove(slot, ignored);
     }
 
     /** The newest whole checkpoint; its path is empty if there is none. */
@@ -124,8 +183,7 @@ namespace caudal
       for (const fs::path &slot : find_slots(folder))
         try
         {
-          checkpoint.data = read_slot(slot);
-          checkpoint.path = slot.string();
+          read_slot(slot, checkpoint);
           break;
         }
         catch (const std::exception &exception)
@@ -137,31 +195,36 @@ namespace caudal
     }
 
     /** Keeps @p n_slots of them. */
-    void write_slot(const std::string &results, const std::string &data, const unsigned int step,
+    void write_slot(const OutputFolder &output, const std::string &data, const unsigned int step,
                     const double time, const unsigned int n_slots)
     {
-      const fs::path root       = get_folder(results);
-      const fs::path unfinished = root / "unfinished", replaced = root / "replaced";
+      const fs::path root = get_folder(output.path()), unfinished = root / "unfinished";
       const fs::path slot = root / (prefix + Utilities::int_to_string(step, 8));
-      if (!fs::is_directory(results))
-        throw std::runtime_error("the folder <" + results + "> is gone");
+      if (!fs::is_directory(output.path()))
+        throw std::runtime_error("the folder <" + output.path() + "> is gone");
+      output.synchronise();
       fs::create_directory(root);
-      fs::remove_all(unfinished);
+      remove_slot(unfinished);
       fs::create_directory(unfinished);
-      write_whole_file(unfinished / "state", data);
-      write_whole_file(unfinished / "manifest", make_manifest(data, step, time));
+      const std::string &parameters = output.get_parameters();
+      write_whole_file(unfinished / state_name, data);
+      write_whole_file(unfinished / parameters_name, parameters);
+      write_whole_file(unfinished / manifest_name,
+                       make_manifest(data, parameters, step, time, output));
       synchronise(unfinished);
 
-      fs::remove_all(replaced);
+      // The one that is written anew stays whole, as a copy, until this one is there.
+      const fs::path replaced = slot.string() + copy_ending;
+      remove_slot(replaced);
       if (fs::exists(slot))
         fs::rename(slot, replaced);
       fs::rename(unfinished, slot);
       synchronise(root);
-      fs::remove_all(replaced);
+      remove_slot(replaced);
 
       const std::vector<fs::path> slots = find_slots(root);
       for (std::size_t k = n_slots; k < slots.size(); ++k)
-        fs::remove_all(slots[k]);
+        remove_slot(slots[k]);
     }
   } // namespace
 
@@ -182,13 +245,23 @@ namespace caudal
     return Utilities::MPI::broadcast(communicator, checkpoint);
   }
 
+  std::string find_newest_parameters(const std::string &results)
+  {
+    const CheckpointSlot newest = find_newest(get_folder(results));
+    AssertThrow(!newest.path.empty(),
+                ExcMessage("The folder <" + results +
+                           "> has lost its parameters.prm, and there is no whole checkpoint that "
+                           "knows them. Start the run anew."));
+    return newest.parameters;
+  }
+
   void remove_checkpoints_after(const std::string &results, const unsigned int step,
                                 const MPI_Comm communicator)
   {
     run_on_root(communicator, [&]() {
       for (const fs::path &slot : find_slots(get_folder(results)))
         if (get_step(slot) > step)
-          fs::remove_all(slot);
+          remove_slot(slot);
     });
   }
 
@@ -198,9 +271,9 @@ namespace caudal
       , communicator(communicator)
   {}
 
-  void CheckpointWriter::start(const std::string &folder)
+  void CheckpointWriter::start(const OutputFolder &output_folder)
   {
-    results = folder;
+    output = &output_folder;
     clock.restart();
   }
 
@@ -215,14 +288,13 @@ namespace caudal
 
   void CheckpointWriter::write(const std::string &data, const unsigned int step, const double time)
   {
-    const std::string folder = get_folder(results);
+    const std::string results = output->path(), folder = get_folder(results);
     run_on_root(communicator, [&]() {
       const std::string reason =
-          catch_file_error([&]() { write_slot(results, data, step, time, parameters.n_slots); });
+          catch_file_error([&]() { write_slot(*output, data, step, time, parameters.n_slots); });
       if (reason.empty())
         return;
-      std::error_code ignored;
-      fs::remove_all(fs::path(folder) / "unfinished", ignored);
+      catch_file_error([&]() { remove_slot(fs::path(folder) / "unfinished"); });
       bool is_one_left = false;
       catch_file_error([&]() { is_one_left = !find_newest(folder).path.empty(); });
       AssertThrow(false,
@@ -251,5 +323,20 @@ namespace caudal
     text << (on_request ? "Stopped on request" : "Stopped by Checkpoint/Wall time limit")
          << " at t = " << time << " s, step " << step << ". To go on: caudal --resume " << results;
     return text.str();
+  }
+
+  bool has_checkpoints(const std::string &results)
+  {
+    return !find_slots(get_folder(results)).empty();
+  }
+
+  void remove_checkpoints(const std::string &results)
+  {
+    const fs::path folder = get_folder(results);
+    for (const fs::path &slot : find_slots(folder))
+      remove_slot(slot);
+    remove_slot(folder / "unfinished");
+    std::error_code ignored;
+    fs::remove(folder, ignored);
   }
 } // namespace caudal

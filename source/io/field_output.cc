@@ -2,15 +2,14 @@
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
 #include <caudal/base/compatibility.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/io/field_output.h>
-#include <caudal/io/safe_file.h>
 
 #include <deal.II/grid/reference_cell.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <regex>
 #include <sstream>
 
 using namespace dealii;
@@ -19,26 +18,7 @@ namespace caudal
 {
   namespace
   {
-    // The lists are read back when a run is resumed. In front of each entry
-    // stands a comment with its time and name, so that no parser is needed.
-    const std::string entry_begins = "<!-- entry ";
-    const std::string entry_ends   = "<!-- end -->";
-    const int         n_digits     = 12;
-
-    /** The time as it is read back from the list: fields of a resumed run join those before. */
-    double round_to_list(const double time)
-    {
-      std::ostringstream text;
-      text.precision(n_digits);
-      text << time;
-      return std::stod(text.str());
-    }
-
-    /** A time in the list counts as one up to @p latest even if its digits round it up. */
-    bool is_up_to(const double time, const double latest)
-    {
-      return time <= latest + 1e-9 * std::abs(latest);
-    }
+    const int n_digits = 12; // of times
 
     /**
      * Puts the pieces of all ranks into the frame of rank 0's. MPI's own parallel output
@@ -64,7 +44,7 @@ namespace caudal
 
     /** Writes the data as VTU and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
-    std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const std::string &folder,
+    std::string write_vtu(DataOutInterface<dim, spacedim> &data_out, const OutputFolder &folder,
                           const std::string &file, const std::string &name, const double time,
                           const unsigned int counter, const MPI_Comm communicator)
     {
@@ -77,7 +57,7 @@ namespace caudal
       std::ostringstream text;
       data_out.write_vtu(text);
       const std::string all = join_pieces(text.str(), communicator);
-      run_on_root(communicator, [&]() { write_whole_file(folder + "/" + file, all); });
+      run_on_root(communicator, [&]() { write_whole_file(folder.add(file), all); });
 
       std::ostringstream entry;
       entry.precision(n_digits);
@@ -89,13 +69,13 @@ namespace caudal
     /** Writes the data as HDF5 and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
     std::string write_hdf5(const DataOutInterface<dim, spacedim> &data_out,
-                           const std::string &folder, const std::string &file,
+                           const OutputFolder &folder, const std::string &file,
                            const std::string &name, const double time, const MPI_Comm communicator)
     {
       // Points of one place stay apart: pressure and cell-wise data jump there.
       DataOutBase::DataOutFilter filter(DataOutBase::DataOutFilterFlags(false, true));
       data_out.write_filtered_data(filter);
-      data_out.write_hdf5_parallel(filter, folder + "/" + file, communicator);
+      data_out.write_hdf5_parallel(filter, folder.add(file), communicator);
 
       std::string entry = compatibility::get_xdmf_content<dim>(
           data_out.create_xdmf_entry(filter, file, time, communicator));
@@ -105,12 +85,25 @@ namespace caudal
     }
   } // namespace
 
-  void OutputParameters::add_parameters(ParameterHandler &prm)
+  void OutputParameters::add_folder_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Output");
     prm.add_parameter("Folder", folder,
-                      "Folder of the results. It is created; results of an earlier run of Caudal "
-                      "in it are removed, a folder with other files is refused.");
+                      "Folder of the results. It is created; a folder with files that Caudal has "
+                      "not written is refused.");
+    prm.add_parameter("Existing results", existing_results,
+                      "What becomes of the results of an earlier run in the folder. number: they "
+                      "are kept as <folder>.1, .2 and so on, unless the run can be resumed, for "
+                      "which the new one is refused; replace: they are removed; refuse: the new "
+                      "run is refused.",
+                      Patterns::Selection("number|replace|refuse"));
+    prm.leave_subsection();
+  }
+
+  void OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_folder_parameters(prm);
+    prm.enter_subsection("Output");
     prm.add_parameter("Interval of fields", field_interval,
                       "Simulated time between two outputs of the fields [s]; 0: every step.");
     prm.add_parameter("Interval of statistics", statistics_interval,
@@ -137,32 +130,40 @@ namespace caudal
 #endif
   }
 
-  FieldOutput::FieldOutput(const std::string &folder, const std::string &format,
-                           const MPI_Comm communicator, const double resume_time)
+  ExistingResults OutputParameters::get_existing_results() const
+  {
+    return existing_results == "replace"  ? ExistingResults::replace
+           : existing_results == "refuse" ? ExistingResults::refuse
+                                          : ExistingResults::number;
+  }
+
+  FieldOutput::FieldOutput(const OutputFolder &folder, const std::string &format,
+                           const MPI_Comm communicator, const Series &series)
       : folder(folder)
       , is_vtu(format == "vtu")
       , communicator(communicator)
+      , series(series)
   {
     run_on_root(communicator, [&]() {
-      std::filesystem::create_directories(folder + "/fields");
-      if (resume_time < 0)
-        return;
-      read_list(resume_time);
+      std::filesystem::create_directories(folder.path("fields"));
       write_list();
     });
   }
 
-  void FieldOutput::remove_after(const std::string &name, const double time)
+  std::vector<std::string> FieldOutput::find_missing_files() const
   {
-    run_on_root(communicator, [&]() {
-      for (auto entries = series.begin(); entries != series.end();)
+    std::vector<std::string> sentences;
+    static const std::regex  file_name("fields/[^\"<>:]+\\.(vtu|h5)");
+    for (const auto &[time, entries] : series)
+      for (const auto &[name, entry] : entries)
       {
-        if (!is_up_to(entries->first, time))
-          entries->second.erase(name);
-        entries = entries->second.empty() ? series.erase(entries) : std::next(entries);
+        std::smatch match;
+        if (std::regex_search(entry, match, file_name) &&
+            !std::filesystem::exists(folder.path(match.str())))
+          sentences.push_back("<" + match.str() + "> is missing, which holds the fields of " +
+                              name + " at t = " + std::to_string(time) + " s.");
       }
-      write_list();
-    });
+    return Utilities::MPI::broadcast(communicator, sentences);
   }
 
   template <int dim, int spacedim>
@@ -183,40 +184,19 @@ namespace caudal
       else
         run_on_all(communicator, write_data);
       run_on_root(communicator, [&]() {
-        series[round_to_list(time)][name] = entry;
+        series[time][name] = entry;
         write_list();
       });
     });
     AssertThrow(error.empty(), ExcMessage("The fields can't be written any more: " + error +
                                           ". Make room or give access, then go on by caudal "
                                           "--resume " +
-                                          folder + "."));
+                                          folder.path() + "."));
   }
 
   std::string FieldOutput::get_list_name() const
   {
-    return folder + (is_vtu ? "/solution.pvd" : "/solution.xdmf");
-  }
-
-  void FieldOutput::read_list(const double latest_time)
-  {
-    std::ifstream file(get_list_name());
-    std::string  *entry = nullptr;
-    for (std::string line; std::getline(file, line);)
-    {
-      if (line.rfind(entry_begins, 0) == 0)
-      {
-        std::istringstream words(line.substr(entry_begins.size()));
-        double             time;
-        std::string        name;
-        words >> time >> name;
-        entry = is_up_to(time, latest_time) ? &series[time][name] : nullptr;
-      }
-      else if (line == entry_ends)
-        entry = nullptr;
-      else if (entry != nullptr)
-        *entry += line + "\n";
-    }
+    return is_vtu ? "solution.pvd" : "solution.xdmf";
   }
 
   void FieldOutput::write_list() const
@@ -234,12 +214,12 @@ namespace caudal
         out << "<Grid Name=\"fields\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
             << "<Time Value=\"" << time << "\"/>\n";
       for (const auto &[name, entry] : entries)
-        out << entry_begins << time << ' ' << name << " -->\n" << entry << entry_ends << '\n';
+        out << entry;
       if (!is_vtu)
         out << "</Grid>\n";
     }
     out << (is_vtu ? "</Collection>\n</VTKFile>\n" : "</Grid>\n</Domain>\n</Xdmf>\n");
-    replace_file(get_list_name(), out.str());
+    replace_file(folder.add(get_list_name()), out.str());
   }
 
   template void FieldOutput::write(DataOutInterface<2> &, const std::string &, double, unsigned int,

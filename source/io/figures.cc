@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/io/figures.h>
 
 #include <deal.II/base/function_parser.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
@@ -86,7 +86,7 @@ namespace caudal
       Table                    table{path.filename().string(), {}, {}};
       const bool               is_summary = path.extension() == ".csv";
       std::vector<std::string> names;
-      std::ifstream            file(path);
+      std::istringstream       file(read_whole_file(path));
       for (std::string line; std::getline(file, line);)
         if (line.rfind("# ", 0) == 0)
           names.push_back(strip_unit(line.substr(line.find(": ") + 2)));

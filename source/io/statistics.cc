@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/io/statistics.h>
 
-#include <caudal/io/safe_file.h>
+#include <caudal/base/safe_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +24,13 @@ namespace caudal
   {
     const std::string rows = kept_time < 0 ? "" : read_rows(kept_time);
     has_rows               = !headers.empty();
+    old_headers            = headers;
     if (file_name.empty())
       return;
     // A file that is kept stays whole whenever the program ends.
     if (!rows.empty())
       replace_file(file_name, rows);
+    size = rows.size();
     file.open(file_name, rows.empty() ? std::ios::trunc : std::ios::app);
     file << std::flush;
     AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
@@ -36,25 +38,44 @@ namespace caudal
 
   std::string Statistics::read_rows(const double time)
   {
-    // A row counts as one up to the time even if its ten digits round it up. The last
-    // row may have been cut off.
-    const double  latest = time + 1e-9 * std::abs(time);
-    std::ifstream old(file_name);
-    std::string   rows;
-    for (std::string line; std::getline(old, line) && !old.eof();)
+    std::string       text;
+    const std::string reason = catch_file_error([&]() { text = read_whole_file(file_name); });
+    if (!reason.empty() && !file_name.empty())
+      damages.push_back(reason + ". A new table begins.");
+    text.erase(text.rfind('\n') + 1); // the last row may have been cut off
+
+    // A row counts as one up to the time even if its ten digits round it up.
+    const double       latest = time + 1e-9 * std::abs(time);
+    std::istringstream old(text);
+    std::string        rows;
+    unsigned int       number = 0;
+    for (std::string line; std::getline(old, line);)
     {
+      ++number;
       if (line.rfind("# ", 0) == 0 && line.find(": ") != std::string::npos)
         headers.push_back(line.substr(line.find(": ") + 2));
       else
       {
-        std::istringstream        text(line);
-        const std::vector<double> numbers{std::istream_iterator<double>(text), {}};
-        if (numbers.size() != headers.size() || numbers.empty() || !(numbers[0] <= latest))
-          break;
+        std::istringstream        words(line);
+        const std::vector<double> numbers{std::istream_iterator<double>(words), {}};
+        if (numbers.size() != headers.size() || numbers.empty())
+        {
+          damages.push_back("<" + file_name + ">, line " + std::to_string(number) +
+                            ": the row is damaged and was left out.");
+          continue;
+        }
+        if (!(numbers[0] <= latest))
+          continue;
+        last_time = numbers[0];
       }
       rows += line + "\n";
     }
     return rows;
+  }
+
+  bool Statistics::has_row_at(const double time) const
+  {
+    return std::abs(last_time - time) <= 1e-9 * std::abs(time);
   }
 
   void Statistics::set(const std::string &name, const std::string &unit, const double value)
@@ -69,35 +90,68 @@ namespace caudal
       AssertThrow(false, ExcMessage(message.str()));
     }
 
-    const std::string header   = name + " [" + unit + "]";
-    const bool        is_right = has_rows
-                                     ? row.size() < headers.size() && headers[row.size()] == header
-                                     : std::find(headers.begin(), headers.end(), header) == headers.end();
+    const std::string header = name + " [" + unit + "]";
+    if (!old_headers.empty() && has_rows &&
+        (row.size() == headers.size() || headers[row.size()] != header))
+    {
+      has_rows = false; // other columns than before
+      headers.resize(row.size());
+    }
+    const bool is_right = has_rows
+                              ? row.size() < headers.size() && headers[row.size()] == header
+                              : std::find(headers.begin(), headers.end(), header) == headers.end();
     AssertThrow(is_right, ExcColumn(header));
     if (!has_rows)
       headers.push_back(header);
     row.push_back(value);
   }
 
+  void Statistics::begin_new_table()
+  {
+    has_rows = false;
+    if (!file.is_open())
+      return;
+    namespace fs = std::filesystem;
+    const fs::path name(file_name);
+    for (unsigned int k = 1; earlier_file.empty() || fs::exists(earlier_file); ++k)
+      earlier_file = (name.parent_path() / name.stem()).string() + "-" + std::to_string(k) +
+                     name.extension().string();
+    file.close();
+    fs::rename(name, earlier_file);
+    file.open(file_name, std::ios::trunc);
+    size = 0;
+  }
+
   void Statistics::write_row()
   {
+    if (!old_headers.empty() && row.size() < headers.size())
+      headers.resize(row.size());
     AssertThrow(row.size() == headers.size(), ExcColumn(headers[row.size()]));
+    if (!old_headers.empty() && headers != old_headers)
+      begin_new_table();
+    old_headers.clear();
     if (file.is_open())
     {
+      std::ostringstream text;
       for (std::size_t i = 0; i < headers.size() && !has_rows; ++i)
-        file << "# " << i + 1 << ": " << headers[i] << '\n';
+        text << "# " << i + 1 << ": " << headers[i] << '\n';
       for (const double value : row)
-        file << std::setw(n_digits + 8) << std::scientific << std::setprecision(n_digits - 1)
+        text << std::setw(n_digits + 8) << std::scientific << std::setprecision(n_digits - 1)
              << value;
-      file << std::endl;
+      text << '\n';
+      file << text.str() << std::flush;
+      size += text.str().size();
       // A file that was removed still takes rows, which nobody will see.
+      const std::string remedy = " while the run wrote to it. Go on by caudal --resume if a "
+                                 "checkpoint is left, or start the run anew.";
       AssertThrow(std::filesystem::exists(file_name),
                   ExcMessage("The statistics file <" + file_name +
-                             "> is gone: it was removed, or its folder, while the run wrote to "
-                             "it. Go on by caudal --resume if a checkpoint is left, or start the "
-                             "run anew."));
+                             "> is gone: it was removed, or its folder," + remedy));
       AssertThrow(file, ExcMessage("The statistics file <" + file_name +
                                    "> can't be written any more. Is the disk full?"));
+      AssertThrow(std::filesystem::file_size(file_name) == size,
+                  ExcMessage("The statistics file <" + file_name +
+                             "> was changed or replaced by somebody else" + remedy));
     }
     row.clear();
     has_rows = true;

@@ -48,9 +48,11 @@ namespace caudal
 
       void start(const Observation<dim> &observation, const ObserverContext<dim> &context) override
       {
-        resume(context);
-        if (!context.is_resumed)
-          write(observation, context);
+        format = context.output.format;
+        if (context.is_resumed)
+          return;
+        output.emplace(context.folder, format, context.communicator);
+        write(observation, context);
       }
 
       void observe_step(const Observation<dim>     &observation,
@@ -67,17 +69,28 @@ namespace caudal
 
       void exchange_state(StateArchive &archive) override
       {
-        archive &n_outputs &last_time;
+        if (output)
+          series = output->get_series();
+        archive &n_outputs &last_time &format &series;
       }
 
-      void resume(const ObserverContext<dim> &context) override
+      void resume(const Observation<dim> &observation, const ObserverContext<dim> &context) override
       {
-        output.emplace(context.folder.path(), context.output.format, context.communicator,
-                       last_time);
+        if (format != context.output.format) // a new list begins
+          series.clear();
+        format = context.output.format;
+        output.emplace(context.folder, format, context.communicator, series);
+        for (const std::string &sentence : output->find_missing_files())
+          context.log << "Warning: " << sentence << std::endl;
+        // Their writing may have been what ended the run.
+        if (is_due(observation.time, context.output.field_interval))
+          write(observation, context);
       }
 
     private:
       std::optional<FieldOutput> output;
+      FieldOutput::Series        series; // of the checkpoint
+      std::string                format;
       unsigned int               n_outputs = 0;
       double                     last_time = -1; // [s]
 

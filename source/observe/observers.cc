@@ -3,6 +3,8 @@
 
 #include <caudal/base/collective.h>
 
+#include <filesystem>
+
 namespace caudal
 {
   template <int dim>
@@ -21,20 +23,47 @@ namespace caudal
     // Rank 0 alone writes to the tables; if it can't, all ranks must know.
     run_on_all(communicator, [&]() {
       const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
-      statistics.emplace(is_root ? folder.path("statistics.txt") : "",
+      statistics.emplace(is_root ? folder.add_table("statistics.txt") : "",
                          is_resumed ? observation.time : -1);
     });
+    for (const std::string &damage : statistics->get_damages())
+      log << "Warning: " << damage << std::endl;
     for (const auto &[name, observer] : observers)
       observer->start(observation, *context);
   }
 
   template <int dim>
-  void Observers<dim>::observe_step(const Observation<dim> &observation)
+  void Observers<dim>::resume(const Observation<dim> &observation)
   {
     for (const auto &[name, observer] : observers)
-      observer->observe_step(observation, *context);
-    if (observation.step_number % context->output.statistics_interval == 0 || observation.is_last)
+      observer->resume(observation, *context);
+    const bool is_missing = !statistics->has_row_at(observation.time);
+    if (observation.step_number > 0 && is_due(observation) &&
+        Utilities::MPI::broadcast(context->communicator, is_missing))
       write_row(observation);
+  }
+
+  template <int dim>
+  void Observers<dim>::observe_step(const Observation<dim> &observation)
+  {
+    // One that can't write must not keep the others from what they add up.
+    std::string error;
+    for (const auto &[name, observer] : observers)
+    {
+      const std::string failure =
+          catch_error([&]() { observer->observe_step(observation, *context); });
+      error = error.empty() ? failure : error;
+    }
+    AssertThrow(error.empty(), ExcMessage(error));
+    if (is_due(observation))
+      write_row(observation);
+  }
+
+  template <int dim>
+  bool Observers<dim>::is_due(const Observation<dim> &observation) const
+  {
+    return observation.step_number % context->output.statistics_interval == 0 ||
+           observation.is_last;
   }
 
   template <int dim>
@@ -76,7 +105,17 @@ namespace caudal
         observer->set_body_columns(observation, body, *statistics);
     for (const auto &[name, observer] : observers)
       observer->set_columns(observation, *statistics);
-    run_on_all(context->communicator, [&]() { statistics->write_row(); });
+    run_on_all(context->communicator, [&]() {
+      const bool has_earlier = !statistics->get_earlier_file().empty();
+      statistics->write_row();
+      const std::filesystem::path earlier = statistics->get_earlier_file();
+      if (has_earlier || earlier.empty())
+        return;
+      context->folder.add_table(earlier.filename());
+      context->log
+          << "The columns of the table changed: rows from here on stand in statistics.txt, "
+          << "those before in " << earlier.filename().string() << "." << std::endl;
+    });
   }
 
   template class Observers<2>;

@@ -166,7 +166,7 @@ namespace caudal
                                 const std::function<bool()> &stop_requested)
   {
     print_summary(log.get_stream());
-    Statistics   statistics(folder.path("statistics.txt"));
+    Statistics   statistics(folder.add_table("statistics.txt"));
     Progress     progress(is_terminal() ? std::cout : log.get_stream(), 0, parameters.end_time,
                       is_terminal());
     const double n_steps = std::ceil(parameters.end_time / parameters.step * (1 - 1e-9));

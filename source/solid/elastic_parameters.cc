@@ -11,6 +11,8 @@ namespace caudal
     AssertThrow(Utilities::split_string_list(body_name).size() == 1,
                 ExcMessage("Bodies: there are none or several in <" + body_name +
                            ">. The elastic model has one body; name it."));
+    if (file)
+      check_name("Bodies", body_name);
     solid = std::make_unique<SolidParameters<dim>>(
         body_name, Utilities::split_string_list(
                        file ? file->get("Body " + body_name + "/Regions", "body") : "<region>"));
@@ -43,9 +45,7 @@ namespace caudal
                       "`Region <name>`.");
     solid->add_parameters(prm);
     prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.add_parameter("Folder", output.folder, "Folder of the results, which are statistics.txt.");
-    prm.leave_subsection();
+    output.add_folder_parameters(prm);
   }
 
   namespace

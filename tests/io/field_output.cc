@@ -57,18 +57,25 @@ int main(int argc, char **argv)
 
   for (const std::string format : {"vtu", "hdf5"})
   {
-    const std::string folder      = "fields_" + format;
-    const auto        write_times = [&](const double                     resume_time,
+    const std::string folder = "fields_" + format;
+    // Goes on with a series, and returns what it was after the second time.
+    const auto write_times = [&](const FieldOutput::Series       &series,
                                  const std::vector<unsigned int> &counters) {
-      FieldOutput output(folder, format, MPI_COMM_WORLD, resume_time);
+      const OutputFolder  results(folder, MPI_COMM_WORLD,
+                                 counters[0] == 0 ? OutputFolder::Start::fresh
+                                                   : OutputFolder::Start::resume);
+      FieldOutput         output(results, format, MPI_COMM_WORLD, series);
+      FieldOutput::Series result;
       for (const unsigned int counter : counters)
       {
         write_unit_square(output, "fluid", fluid, 0.1 * counter, counter);
         write_unit_square(output, "fish", fish, 0.1 * counter, counter);
+        if (counter == 1)
+          result = output.get_series();
       }
+      return result;
     };
-    write_times(-1., {0, 1, 2});
-    write_times(0.1, {3});
+    write_times(write_times({}, {0, 1, 2}), {3});
 
     if (is_root)
     {

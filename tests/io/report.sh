@@ -39,7 +39,8 @@ subsection Body eel
   end
 end
 subsection Coupling
-  set Kernel = dirac
+  set Kernel                   = dirac
+  set Accept unresolved bodies = true
 end
 subsection Output
   set Folder             = eel

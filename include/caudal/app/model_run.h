@@ -32,6 +32,9 @@ namespace caudal
     /** Runs the case in its folder, from the start. */
     Outcome start(const std::function<bool()> &stop_requested) const;
 
+    /** Whether its folder holds a run with a checkpoint. */
+    bool can_be_resumed() const;
+
     /** Goes on in its folder from the newest whole checkpoint. */
     Outcome resume(const std::function<bool()> &stop_requested) const;
 
@@ -47,7 +50,7 @@ namespace caudal
     /** What the user should know of the parameters that were given. */
     std::vector<std::string> remarks;
 
-    Outcome run(Swimmer &swimmer, OutputFolder::Start start,
+    Outcome run(Swimmer &swimmer, const OutputFolder &folder, bool is_resumed,
                 const std::vector<std::string> &messages,
                 const std::function<bool()>    &stop_requested) const;
   };

@@ -22,6 +22,12 @@ namespace caudal
   void check_not_negative(const std::string &path, double value,
                           const std::string &remedy = "Give 0 or a positive number.");
 
+  /**
+   * Checks a @p name that the user gives, which becomes part of the names of files, sections and
+   * columns: letters (of any alphabet), digits, '_', '-', '+' and blanks within.
+   */
+  void check_name(const std::string &path, const std::string &name);
+
   /** Both bounds are allowed. */
   void check_between(const std::string &path, double value, double lowest, double highest,
                      const std::string &remedy);

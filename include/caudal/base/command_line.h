@@ -14,6 +14,7 @@ namespace caudal
     {
       run,
       resume,
+      resume_or_start,
       verify_restart,
       check,
       help,

@@ -22,6 +22,7 @@ namespace caudal
     std::string              allowed; // in words: "a number >= 0"
     std::vector<std::string> choices; // if one of some names is allowed
     std::string              documentation;
+    bool                     names_input_file = false;
   };
 
   /** What was declared in a section of a ParameterHandler, in that order. */
@@ -38,8 +39,11 @@ namespace caudal
     const DeclaredSection *find_section(const std::string &name) const;
   };
 
-  /** The values of all entries, by "Section/Entry". */
+  /** The values of all entries, by "Section/Entry", and the checksums of input files. */
   using ParameterValues = std::map<std::string, std::string>;
+
+  /** Ends the path under which the checksum of a file stands beside the entry that names it. */
+  const std::string contents_ending = " (contents)";
 
   ParameterValues extract_values(const ParameterHandler &prm);
 

@@ -80,6 +80,12 @@ namespace caudal
       double convective_cfl = 0;
       /** Largest difference of predicted and computed body position, in fluid spacings. */
       double error = 0;
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int /*version*/)
+      {
+        archive &body_cfl &convective_cfl &error;
+      }
     };
 
     /** A step was taken: t^n := t^n + @p step; the size of the next one follows from @p indicators.

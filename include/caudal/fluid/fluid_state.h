@@ -36,6 +36,13 @@ namespace caudal
     double divergence_norm = 0;
     /** rho int u [kg m/s per m] */
     Tensor<1, dim> momentum;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &kinetic_energy &viscous_dissipation &grad_div_dissipation &largest_velocity
+          &largest_rate &divergence_norm &momentum;
+    }
   };
 
   template <int dim>

@@ -4,6 +4,7 @@
 
 #include <caudal/base/declared_parameters.h>
 #include <caudal/ideal/motion_sample.h>
+#include <caudal/io/field_output.h>
 
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
@@ -60,11 +61,12 @@ namespace caudal
     double                 time        = 0.; ///< of the last one [s]
     ParameterValues        parameters;       ///< that made it
     std::vector<SwimState> swims;            ///< by frequency, those that have begun
+    FieldOutput::Series    fields;           ///< that were written, on rank 0
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &step_number &time &parameters &swims;
+      archive &step_number &time &parameters &swims &fields;
     }
   };
 } // namespace caudal

@@ -67,8 +67,8 @@ namespace caudal
     /** "_0.64Hz" in the names of files, if there are several frequencies. */
     std::string get_suffix(double frequency) const;
 
-    void write_checkpoint();
-    void remove_later_results(Output &output) const;
+    void write_checkpoint(const Output &output);
+    void remove_later_results(const Output &output) const;
     void write_summaries(ideal::StrokeModel &model, const OutputFolder &folder, Log &log) const;
 
     const IdealParameters &parameters;

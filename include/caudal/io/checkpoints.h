@@ -2,7 +2,8 @@
 #ifndef caudal_io_checkpoints_h
 #define caudal_io_checkpoints_h
 
-#include <deal.II/base/mpi.h>
+#include <caudal/io/output_folder.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
@@ -30,19 +31,30 @@ namespace caudal
   /** A checkpoint that was read. */
   struct CheckpointSlot
   {
-    std::string              data;    ///< on all ranks
-    std::string              path;    ///< of its slot
-    std::vector<std::string> skipped; ///< newer slots that are not whole, and why
+    std::string              data;       ///< on all ranks
+    std::string              path;       ///< of its slot
+    std::vector<std::string> skipped;    ///< newer slots that are not whole, and why
+    std::string              parameters; ///< of the run, as a parameter file
+    std::vector<std::string> damages;    ///< to the tables that it knows, a sentence each
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &data &path &skipped;
+      archive &data &path &skipped &parameters &damages;
     }
   };
 
   /** The newest whole checkpoint of the run in the folder; throws if there is none. Collective. */
   CheckpointSlot read_newest_checkpoint(const std::string &results, MPI_Comm communicator);
+
+  /** The parameters in the newest whole checkpoint of the run in the folder; throws likewise. */
+  std::string find_newest_parameters(const std::string &results);
+
+  /** Whether there are checkpoints of the run in the folder, whole or not. */
+  bool has_checkpoints(const std::string &results);
+
+  /** Removes all checkpoints of the run in the folder, and nothing else. */
+  void remove_checkpoints(const std::string &results);
 
   /** Removes the slots after that of the step with the number @p step. Collective. */
   void remove_checkpoints_after(const std::string &results, unsigned int step,
@@ -52,9 +64,10 @@ namespace caudal
    * Writes a run's checkpoints when they are due; knows when its wall time is over.
    *
    * They are in the folder `restart` of its results: one slot for each, `step-00000120`, with the
-   * state and a manifest that holds sizes and CRC-32 sums of both. A slot is written under another
-   * name, synchronised with the disk and then renamed, so that it is whole or not there; older
-   * ones are removed only after that.
+   * state, the run's parameters.prm, and a manifest that holds sizes and CRC-32 sums of both and of
+   * the tables as they were then. A slot is written under another name, synchronised with the disk,
+   * as is all that the run had written before, and then renamed, so that it is whole or not there;
+   * older ones are removed only after that.
    */
   class CheckpointWriter
   {
@@ -62,8 +75,8 @@ namespace caudal
     /** The wall time of the run counts from here on. */
     CheckpointWriter(const CheckpointParameters &parameters, MPI_Comm communicator);
 
-    /** @p results is the folder of the run's results; it exists. */
-    void start(const std::string &results);
+    /** @p output_folder is that of the run's results; it outlives the object. */
+    void start(const OutputFolder &output_folder);
 
     /** Whether the number of steps or the wall time ask for a checkpoint. Collective. */
     bool is_due(unsigned int step) const;
@@ -89,7 +102,7 @@ namespace caudal
     const MPI_Comm              communicator;
     const dealii::Timer         run_clock;
     dealii::Timer               clock; // since the last one
-    std::string                 results;
+    const OutputFolder         *output = nullptr;
     std::optional<unsigned int> last_step;
   };
 

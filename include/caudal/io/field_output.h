@@ -2,8 +2,9 @@
 #ifndef caudal_io_field_output_h
 #define caudal_io_field_output_h
 
+#include <caudal/io/output_folder.h>
+
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <map>
@@ -15,33 +16,51 @@ namespace caudal
   struct OutputParameters
   {
     std::string  folder              = "output";
+    std::string  existing_results    = "number";
     double       field_interval      = 0.02;
     unsigned int statistics_interval = 1;
     std::string  format              = "vtu"; // or "hdf5"
     unsigned int n_subdivisions      = 1;
 
     void add_parameters(dealii::ParameterHandler &prm);
+    /** Those about the folder alone, for models without fields. */
+    void add_folder_parameters(dealii::ParameterHandler &prm);
     void check() const;
+
+    ExistingResults get_existing_results() const;
   };
 
   /**
    * Writes the fields of a run so that ParaView opens all of them as one
    * series in time: solution.pvd (or solution.xdmf for HDF5) with one block for the
    * fluid and one for each body, and the data themselves in fields/. The list
-   * is replaced at every write, after the data it points to are complete.
+   * is replaced at every write, after the data it points to are complete. The list is part of the
+   * run's state: that of a resumed run has what its checkpoint knew.
    */
   class FieldOutput
   {
   public:
-    /**
-     * @p folder exists; the @p format is that of OutputParameters. A resumed run keeps what was
-     * written up to @p resume_time [s]. Collective.
-     */
-    FieldOutput(const std::string &folder, const std::string &format, MPI_Comm communicator,
-                double resume_time = -1.);
+    /** At one time: the entries of the list by the names of their blocks. */
+    using Entries = std::map<std::string, std::string>;
 
-    /** Takes what was written of the block @p name after @p time [s] from the list. Collective. */
-    void remove_after(const std::string &name, double time);
+    /** All entries by time as it is listed [s]. */
+    using Series = std::map<double, Entries>;
+
+    /**
+     * Goes on with the @p series of a checkpoint; the @p format is that of OutputParameters.
+     * Collective.
+     */
+    FieldOutput(const OutputFolder &folder, const std::string &format, MPI_Comm communicator,
+                const Series &series = {});
+
+    /** On rank 0; empty on the others. */
+    const Series &get_series() const
+    {
+      return series;
+    }
+
+    /** Sentences about the files of the list that are not there any more. Collective. */
+    std::vector<std::string> find_missing_files() const;
 
     /**
      * Writes one field: @p name is its block's name ("fluid", "fish"), @p time is in s
@@ -54,18 +73,13 @@ namespace caudal
                double time, unsigned int counter, MPI_Comm field_communicator);
 
   private:
-    /** At one time: the entries of the list by the names of their blocks. */
-    using Entries = std::map<std::string, std::string>;
-
-    void        read_list(double latest_time);
     void        write_list() const;
     std::string get_list_name() const;
 
-    const std::string folder;
-    const bool        is_vtu; // one compressed .vtu per field and time; else one .h5
-    const MPI_Comm    communicator;
-
-    std::map<double, Entries> series; // by time as it is listed [s]
+    const OutputFolder &folder;
+    const bool          is_vtu; // one compressed .vtu per field and time; else one .h5
+    const MPI_Comm      communicator;
+    Series              series;
   };
 } // namespace caudal
 

@@ -23,7 +23,8 @@ namespace caudal
    * rows of numbers with ten significant digits, each row flushed.
    *
    * The first row decides which columns there are; later ones are set in the same order. The
-   * first quantity that is set has to be the time.
+   * first quantity that is set has to be the time. If the first row of a resumed run has other
+   * columns than those before, the old table is kept under another name, and a new one begins.
    */
   class Statistics
   {
@@ -43,14 +44,35 @@ namespace caudal
 
     void write_row();
 
+    /** Whether the last row that was kept is that of this time [s]. */
+    bool has_row_at(double time) const;
+
+    /** The name of the file that has the rows of before the columns changed, or nothing. */
+    const std::string &get_earlier_file() const
+    {
+      return earlier_file;
+    }
+
+    /** Sentences about what was wrong with the rows of the earlier run. */
+    const std::vector<std::string> &get_damages() const
+    {
+      return damages;
+    }
+
   private:
     const std::string        file_name;
     std::ofstream            file;
     std::vector<std::string> headers; // name [unit]
     std::vector<double>      row;     // what is set of the coming one
     bool                     has_rows;
+    std::vector<std::string> old_headers; // of the earlier run, until the first row is written
+    std::string              earlier_file;
+    double                   last_time = -1; // [s] of the rows that were kept
+    std::size_t              size      = 0;  // of the file [bytes]
+    std::vector<std::string> damages;
 
     std::string read_rows(double time);
+    void        begin_new_table();
   };
 } // namespace caudal
 

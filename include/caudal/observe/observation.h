@@ -21,6 +21,12 @@ namespace caudal
      * force density, seen by the body and by the fluid, at t^{n+1} [1].
      */
     double power_identity = 0;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &deformation &muscle_power &power_identity;
+    }
   };
 
   /** Results of one step beside the new state. */
@@ -43,6 +49,12 @@ namespace caudal
      */
     double                  damping = 0;
     std::vector<BodyReport> bodies;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &iterations &indicators &flow &rate &damping &bodies;
+    }
   };
 
   /** A body as observers see it. */

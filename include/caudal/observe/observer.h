@@ -51,7 +51,10 @@ namespace caudal
 
     const unsigned int place;
 
-    /** Throws a sentence if the case can't be observed as the parameters ask for. */
+    /**
+     * Throws a sentence if the case can't be observed as the parameters ask for: at the start, and
+     * when it is resumed, since other observations may be asked for then.
+     */
     virtual void check_case(const Observation<dim> & /*start*/) const {}
 
     /** Before the first step of a run, or of its part since it was resumed. */
@@ -80,8 +83,11 @@ namespace caudal
     /** Writes or reads what later observations depend on. */
     virtual void exchange_state(StateArchive &) {}
 
-    /** After start() and the reading of the state: removes what was written later than that. */
-    virtual void resume(const ObserverContext<dim> &) {}
+    /**
+     * After start() and the reading of the state: brings its files to what they were at the time
+     * of the checkpoint.
+     */
+    virtual void resume(const Observation<dim> &, const ObserverContext<dim> &) {}
   };
 } // namespace caudal
 

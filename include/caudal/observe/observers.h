@@ -43,6 +43,12 @@ namespace caudal
     void start(const Observation<dim> &observation, const OutputFolder &folder, Log &log,
                const OutputParameters &output, bool is_resumed);
 
+    /**
+     * After the state of the observers was read: brings tables and lists to the time of the
+     * checkpoint, and writes what had failed to be written then.
+     */
+    void resume(const Observation<dim> &observation);
+
     void observe_step(const Observation<dim> &observation);
     void observe_new_grid(const Observation<dim> &observation);
 
@@ -76,7 +82,6 @@ namespace caudal
         {
           StateArchive state(states[name]);
           observer->exchange_state(state);
-          observer->resume(*context);
         }
     }
 
@@ -85,6 +90,7 @@ namespace caudal
     std::optional<ObserverContext<dim>> context;
     std::optional<Statistics>           statistics;
 
+    bool is_due(const Observation<dim> &observation) const; // a row
     void write_row(const Observation<dim> &observation);
   };
 } // namespace caudal

@@ -29,6 +29,12 @@ namespace caudal
     double volume_change = 0;
     /** int W ds + sum over the cells of kappa_v/2 V (ln(v/V))^2 [J, in 2D J/m] */
     double elastic_energy = 0;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int /*version*/)
+    {
+      archive &smallest_jacobian &largest_jacobian &volume_change &elastic_energy;
+    }
   };
 
   /** Throws ExcInvertedElement if det F <= 0 somewhere. */
