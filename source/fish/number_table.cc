@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/safe_file.h>
 #include <caudal/fish/number_table.h>
 
 #include <deal.II/base/exceptions.h>
@@ -9,7 +10,7 @@
 
 #include <cctype>
 #include <cmath>
-#include <fstream>
+#include <regex>
 
 namespace caudal
 {
@@ -17,17 +18,33 @@ namespace caudal
 
   namespace
   {
-    /** The entries of a row without comment. */
-    std::vector<std::string> split_fields(const std::string &line)
+    /** An entry without blanks and quotes around it. */
+    std::string strip(const std::string &text)
     {
+      const std::string field = Utilities::trim(text);
+      return field.size() > 1 && field.front() == '"' && field.back() == '"'
+                 ? Utilities::trim(field.substr(1, field.size() - 2))
+                 : field;
+    }
+
+    /** The entries of a row without comment: separated by semicolons, commas or blanks. */
+    std::vector<std::string> split_fields(const std::string &line, const std::string &place)
+    {
+      const bool              has_semicolons = line.find(';') != std::string::npos;
+      const bool              has_commas     = line.find(',') != std::string::npos;
+      static const std::regex decimal_comma(R"((^|[;\s"])[+-]?\d+,\d+($|[;\s"]))");
+      AssertThrow(!(has_semicolons || line.find_first_of(" \t") != std::string::npos) ||
+                      !std::regex_search(line, decimal_comma),
+                  ExcMessage(place + "there is a comma within a number. Save the table with "
+                                     "points, 0.5 and not 0,5."));
       std::vector<std::string> fields;
-      // An entry that is missing between two commas is to be seen as such.
-      if (line.find(',') != std::string::npos)
-        boost::split(fields, line, boost::is_any_of(","));
+      // An entry that is missing between two separators is to be seen as such.
+      if (has_semicolons || has_commas)
+        boost::split(fields, line, boost::is_any_of(has_semicolons ? ";" : ","));
       else if (!line.empty())
         boost::split(fields, line, boost::is_space(), boost::token_compress_on);
       for (std::string &field : fields)
-        boost::trim(field);
+        field = strip(field);
       return fields;
     }
 
@@ -58,11 +75,13 @@ namespace caudal
   NumberTable read_number_table(const std::string &entry, const std::string &file_name,
                                 const unsigned int n_columns)
   {
-    std::ifstream file(file_name);
-    AssertThrow(file, ExcMessage(entry + ": the file <" + file_name +
-                                 "> can't be read. Give an existing table of numbers."));
-    NumberTable  table;
-    unsigned int number = 0;
+    std::string       text;
+    const std::string reason = catch_file_error([&]() { text = read_text_file(file_name); });
+    AssertThrow(reason.empty(), ExcMessage(entry + ": the table can't be read: " + reason +
+                                           ". Give an existing table of numbers."));
+    std::istringstream file(text);
+    NumberTable        table;
+    unsigned int       number = 0;
     for (std::string line; std::getline(file, line);)
     {
       ++number;
@@ -71,9 +90,10 @@ namespace caudal
         continue;
       const std::string place =
           entry + ": " + file_name + ", line " + std::to_string(number) + ": ";
-      const std::vector<std::string> fields = split_fields(line);
+      const std::vector<std::string> fields = split_fields(line, place);
       double                         value;
-      if (table.rows.empty() && table.header.empty() && std::isalpha(line[0]) &&
+      if (table.rows.empty() && table.header.empty() && !fields[0].empty() &&
+          std::isalpha(static_cast<unsigned char>(fields[0][0])) &&
           !boost::conversion::try_lexical_convert(fields[0], value))
       {
         table.header       = fields;
@@ -90,9 +110,10 @@ namespace caudal
   {
     NumberTable table;
     for (const std::string &row : Utilities::split_string_list(text, ';'))
-      table.rows.push_back(
-          parse_row(entry + ": row " + std::to_string(table.rows.size() + 1) + ": ",
-                    split_fields(row), n_columns));
+    {
+      const std::string place = entry + ": row " + std::to_string(table.rows.size() + 1) + ": ";
+      table.rows.push_back(parse_row(place, split_fields(row, place), n_columns));
+    }
     return table;
   }
 } // namespace caudal

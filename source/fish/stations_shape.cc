@@ -65,7 +65,7 @@ namespace caudal
         prm.add_parameter("File", file,
                           "A text file with these rows, instead of them; a row of names may come "
                           "first.",
-                          Patterns::Anything());
+                          Patterns::FileName(Patterns::FileName::input));
         prm.add_parameter("Interpolation", interpolation,
                           "Between the stations, of the logarithms of the half-axes over those of "
                           "a round body: 'spline', the natural cubic spline, which may overshoot; "

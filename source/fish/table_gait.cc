@@ -25,7 +25,7 @@ namespace caudal
         prm.add_parameter("File", file,
                           "The control file: rows of a time [s] and the angles of the six joints "
                           "[degrees].",
-                          Patterns::Anything());
+                          Patterns::FileName(Patterns::FileName::input));
         prm.add_parameter("Periodic", periodic,
                           "Whether the table is one period, which its last row closes; otherwise "
                           "(in an ideal fluid) a new surface is computed in each step.");

@@ -21,7 +21,7 @@ namespace caudal
       std::vector<double> stations;
       if (table.header.empty())
         return stations;
-      if (table.header[0] != "time")
+      if (table.header[0].empty() || std::tolower(table.header[0][0]) != 't') // time, Time [s], t
         parse_number(table.header[0], table.header_place);
       for (std::size_t i = 1; i < table.header.size(); ++i)
       {
@@ -127,6 +127,11 @@ namespace caudal
         return amplitudes->value(Point<2>(time, s));
       }
 
+      std::pair<double, double> get_time_range() const
+      {
+        return periodic ? std::pair(0., std::numeric_limits<double>::max()) : std::pair(begin, end);
+      }
+
       /** The largest modulus of all amplitudes. */
       double get_maximum() const
       {
@@ -152,7 +157,8 @@ namespace caudal
         prm.add_parameter("File", file,
                           "Text file of times [s] and force densities [N/m^3], a row per instant; "
                           "several columns if a first row <time, s1, s2, ...> gives their arc "
-                          "lengths over the body length.");
+                          "lengths over the body length.",
+                          Patterns::FileName(Patterns::FileName::input));
         prm.add_parameter("Periodic", periodic,
                           "Whether the table repeats; its last row must then equal its first.");
       }
@@ -170,6 +176,11 @@ namespace caudal
         LateralForce<dim>::set_up(shared, length, region_ids);
         table           = std::make_shared<ForceTable>(file, periodic);
         monitored_point = shared.monitored_point;
+      }
+
+      std::pair<double, double> get_time_range() const override
+      {
+        return table->get_time_range();
       }
 
       double activation(const Contraction &contraction) const override

@@ -2,6 +2,9 @@
 #include <caudal/base/checks.h>
 #include <caudal/fish/gait.h>
 
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace caudal
@@ -32,6 +35,16 @@ namespace caudal
       {
         check_value(offset > -1., path + "/Offset", offset, "Give more than -1.");
         check_positive(path + "/Frequency", frequency, "Give a positive frequency [Hz].");
+        // The slope of the midline is largest at one of the ends, in the course of a beat.
+        const double k = 2. * numbers::PI * wave_number;
+        const double steepest =
+            std::max(std::hypot(1., k * offset), std::hypot(1., k * (1. + offset))) / (1. + offset);
+        const double slope = std::abs(amplitude) * steepest;
+        check_value(slope < 1., path + "/Amplitude", amplitude,
+                    "The slope of the midline reaches " + Patterns::Tools::to_string(slope) +
+                        ", and a midline of constant length allows less than 1. Give an amplitude "
+                        "below " +
+                        Patterns::Tools::to_string(1. / steepest) + ", or a smaller wave number.");
       }
 
       std::vector<double> get_frequencies() const override

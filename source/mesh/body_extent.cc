@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/tensor.h>
-
-#include <deal.II/grid/grid_tools.h>
-
 #include <caudal/mesh/body_grid.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +22,7 @@ namespace caudal
       Point<dim>              centre;
       Tensor<1, dim>          inward_normal;
       unsigned int            region;
+      double                  area;
       std::vector<Facet<dim>> facets;
     };
 
@@ -35,6 +35,7 @@ namespace caudal
       BoundaryFace<dim> result;
       result.centre = face->center();
       result.region = cell->material_id();
+      result.area   = face->measure();
       if constexpr (dim == 2)
       {
         result.inward_normal = cross_product_2d(face->vertex(1) - face->vertex(0));
@@ -82,6 +83,22 @@ namespace caudal
       }
       return solution[0] > 0. && sum < 1. + tolerance ? solution[0] : miss;
     }
+
+    /** The median of values with weights, the second numbers; infinite without any. */
+    double compute_median(std::vector<std::pair<double, double>> values)
+    {
+      std::sort(values.begin(), values.end());
+      double half = 0.;
+      for (const auto &value : values)
+        half += 0.5 * value.second;
+      for (const auto &[value, weight] : values)
+      {
+        half -= weight;
+        if (half <= 0.)
+          return value;
+      }
+      return std::numeric_limits<double>::infinity();
+    }
   } // namespace
 
   template <int dim>
@@ -100,13 +117,20 @@ namespace caudal
     BodyExtent extent;
     extent.length = GridTools::compute_bounding_box(tria).side_length(0);
     extent.region_thickness.assign(n_regions, std::numeric_limits<double>::infinity());
+    std::vector<std::pair<double, double>> distances; // and areas
     for (const BoundaryFace<dim> &face : faces)
+    {
+      double distance = std::numeric_limits<double>::infinity();
       for (const BoundaryFace<dim> &other : faces)
-        if (&other != &face)
+        if (face.inward_normal * other.inward_normal < 0.)
           for (const Facet<dim> &facet : other.facets)
-            extent.region_thickness[face.region] =
-                std::min(extent.region_thickness[face.region],
-                         compute_distance<dim>(face.centre, face.inward_normal, facet));
+            distance =
+                std::min(distance, compute_distance<dim>(face.centre, face.inward_normal, facet));
+      double &of_region = extent.region_thickness[face.region];
+      of_region         = std::min(of_region, distance);
+      distances.emplace_back(distance, face.area);
+    }
+    extent.typical_thickness = compute_median(distances);
     extent.thinnest =
         *std::min_element(extent.region_thickness.begin(), extent.region_thickness.end());
     return extent;

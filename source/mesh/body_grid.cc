@@ -87,11 +87,32 @@ namespace caudal
 
   namespace
   {
-    /** Renumbers the material ids to 0, 1, ... in increasing order. */
-    template <int dim>
-    void number_regions(Triangulation<dim> &tria, const unsigned int n_regions,
-                        const std::string &entry)
+    /** The material id of each region, by the names that the grid has for them. */
+    std::map<types::material_id, unsigned int> match_names(const GroupNames               &names,
+                                                           const std::vector<std::string> &regions,
+                                                           const std::string              &entry)
     {
+      std::map<types::material_id, unsigned int> numbers;
+      std::string                                known;
+      for (const auto &[id, name] : names)
+      {
+        known += (known.empty() ? "" : ", ") + name;
+        const auto region = std::find(regions.begin(), regions.end(), name);
+        if (region != regions.end())
+          numbers[id] = region - regions.begin();
+      }
+      AssertThrow(numbers.size() == regions.size() && numbers.size() == names.size(),
+                  ExcMessage(entry + ": the groups of the mesh are called " + known +
+                             ", and the body's regions otherwise. Give Regions = " + known + "."));
+      return numbers;
+    }
+
+    /** Renumbers the material ids to the numbers of the regions: by names, else in order. */
+    template <int dim>
+    void number_regions(Triangulation<dim> &tria, const std::vector<std::string> &regions,
+                        const GroupNames &names, const std::string &entry)
+    {
+      const unsigned int           n_regions = regions.size();
       std::set<types::material_id> ids;
       for (const auto &cell : tria.active_cell_iterators())
         ids.insert(cell->material_id());
@@ -100,15 +121,21 @@ namespace caudal
                              Patterns::Tools::to_string(ids) +
                              " (material ids), but the body has " + std::to_string(n_regions) +
                              " regions. Make the two agree."));
+      std::map<types::material_id, unsigned int> numbers;
+      for (const types::material_id id : ids)
+        numbers.emplace(id, numbers.size());
+      if (n_regions > 1 && !names.empty())
+        numbers = match_names(names, regions, entry);
       for (const auto &cell : tria.active_cell_iterators())
-        cell->set_material_id(std::distance(ids.begin(), ids.find(cell->material_id())));
+        cell->set_material_id(numbers.at(cell->material_id()));
     }
   } // namespace
 
   template <int dim>
   void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,
-                      const unsigned int n_regions, const std::string &path)
+                      const std::vector<std::string> &regions, const std::string &path)
   {
+    const unsigned int n_regions = regions.size();
     parameters.check(path);
     const Shape<dim>  &shape        = parameters.shape.type.get();
     const std::string  entries      = path + "/Shape/";
@@ -126,7 +153,7 @@ namespace caudal
     tria.reset_all_manifolds();
     tria.set_all_manifold_ids(numbers::flat_manifold_id);
 
-    number_regions(tria, n_regions,
+    number_regions(tria, regions, shape.get_group_names(),
                    entries + (divided ? shape.get_region_entry() : "Region boundaries"));
     AssertThrow(compute_min_scaled_jacobian(tria) > 0.,
                 ExcMessage(entries + shape.get_grid_entry() +
@@ -152,9 +179,9 @@ namespace caudal
   template struct BodyGridParameters<3>;
 
   template void make_body_grid(Triangulation<2> &, const BodyGridParameters<2> &,
-                               const unsigned int, const std::string &);
+                               const std::vector<std::string> &, const std::string &);
   template void make_body_grid(Triangulation<3> &, const BodyGridParameters<3> &,
-                               const unsigned int, const std::string &);
+                               const std::vector<std::string> &, const std::string &);
 
   template Point<2> place_in_domain(const BodyGridParameters<2> &, const Point<2> &);
   template Point<3> place_in_domain(const BodyGridParameters<3> &, const Point<3> &);

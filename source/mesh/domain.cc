@@ -37,12 +37,15 @@ namespace caudal
     for (unsigned int d = 0; d < dim; ++d)
       check_positive("Domain/Size", size[d], "Give positive lengths [m].");
     check_between("Domain/Levels", levels, 1, 12, "Give 1 to 12.");
-    const Tensor<1, dim> edges = get_cell_size(0);
+    const Tensor<1, dim> edges   = get_cell_size(0);
+    std::string          squares = std::to_string(cells[0]);
+    for (unsigned int d = 1; d < dim; ++d)
+      squares += ", " + std::to_string(std::max(1L, std::lround(size[d] / edges[0])));
     for (unsigned int d = 1; d < dim; ++d)
       AssertThrow(edges[d] / edges[0] < 2.001 && edges[0] / edges[d] < 2.001,
                   ExcMessage("Domain/Cells: the cells have edges of " + std::to_string(edges[0]) +
                              " m and " + std::to_string(edges[d]) +
-                             " m. Choose numbers that make them nearly equal."));
+                             " m, and have to be nearly square. Give " + squares + "."));
   }
 
   std::vector<std::string> get_side_names(const unsigned int dim)

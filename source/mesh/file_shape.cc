@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/safe_file.h>
 #include <caudal/mesh/shape.h>
 
-#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -13,6 +14,16 @@ namespace caudal
 {
   namespace
   {
+    /** A message as one line, without the indentation of deal.II's messages. */
+    std::string join_words(const std::string &message)
+    {
+      std::istringstream words(message);
+      std::string        line;
+      for (std::string word; words >> word;)
+        line += (line.empty() ? "" : " ") + word;
+      return line;
+    }
+
     /** A gmsh mesh; the physical ids are the regions, in increasing order. */
     template <int dim>
     class FileShape : public Shape<dim>
@@ -23,24 +34,32 @@ namespace caudal
         prm.add_parameter(
             "Name", file,
             "Name of a gmsh mesh (.msh) of quadrilaterals (3D: hexahedra), in metres; relative to "
-            "the working directory. Its physical ids, in increasing order, are the regions. In an "
+            "the parameter file or else to the working directory. Its physical ids, in increasing "
+            "order, are the regions. In an "
             "ideal fluid a closed mesh of quadrilaterals, outward oriented, as the surface of the "
             "straight body: nose at the smallest x, x towards the tail, y lateral, z dorsal; "
             ".msh, .ucd or .vtk. Its flat cells are not curved.",
-            Patterns::Anything());
+            Patterns::FileName(Patterns::FileName::input));
+        prm.add_parameter(
+            "Scale", scale,
+            "Factor by which the mesh is enlarged: 0.001 for one in millimetres [1].");
+        prm.add_parameter("Shift", shift,
+                          "Vector by which the mesh is moved then, in the body's frame [m].");
       }
 
       void check(const std::string &path) const override
       {
         require(!file.empty(), path, "Name",
                 "no file is given. Give the name of a gmsh mesh (.msh).");
+        check_positive(path + "/Scale", scale, "Give a positive factor.");
       }
 
       void check_divisions(const ShapeLengths &, const GridDivisions &,
                            const std::string &path) const override
       {
-        require(std::ifstream(file).good(), path, "File/Name",
-                "<" + file + "> can't be opened. Give the name of a gmsh mesh (.msh).");
+        const std::string reason = catch_file_error([&]() { read_whole_file(file); });
+        require(reason.empty(), path, "File/Name",
+                reason + ". Give the name of a gmsh mesh (.msh).");
       }
 
       std::string get_grid_entry() const override
@@ -63,13 +82,12 @@ namespace caudal
       {
         const std::string name  = "<" + file + "> ";
         const std::string cells = dim == 2 ? "quadrilaterals" : "hexahedra";
-        const std::string error = read(tria);
+        const std::string error = catch_error([&]() { read_gmsh(file, tria); });
         require(error.empty(), path, "File/Name",
                 name + "can't be read as a mesh of " + cells + " in " + std::to_string(dim) +
-                    "D. Save it again by gmsh. The reader's reason: " + error);
-        require(tria.all_reference_cells_are_hyper_cube(), path, "File/Name",
-                name + "has other cells than " + cells + ". Mesh it with gmsh's " +
-                    (dim == 2 ? "Mesh.RecombineAll=1." : "Mesh.SubdivisionAlgorithm=2."));
+                    "D. " + get_remedy(error) + " The reader's reason: " + join_words(error));
+        GridTools::scale(scale, tria);
+        GridTools::shift(shift, tria);
 
         std::set<std::vector<unsigned int>> distinct_cells;
         for (const auto &cell : tria.active_cell_iterators())
@@ -89,21 +107,26 @@ namespace caudal
             face->set_boundary_id(0);
       }
 
-    private:
-      std::string file;
-
-      /** Reads the file; returns the reason if that fails, else an empty string. */
-      std::string read(Triangulation<dim> &tria) const
+      GroupNames get_group_names() const override
       {
-        std::istringstream words(catch_error([&]() {
-          std::ifstream stream(file);
-          GridIn<dim>(tria).read_msh(stream);
-        }));
-        // As one line, without the indentation of deal.II's messages.
-        std::string line;
-        for (std::string word; words >> word;)
-          line += (line.empty() ? "" : " ") + word;
-        return line;
+        return read_group_names(file, dim);
+      }
+
+    private:
+      std::string    file;
+      double         scale = 1;
+      Tensor<1, dim> shift;
+
+      /** What is likely wrong with a file that can't be read, and how to mend it. */
+      static std::string get_remedy(const std::string &reason)
+      {
+        // deal.II names elements it does not know by their numbers in gmsh.
+        if (reason.find("File format") != std::string::npos ||
+            reason.find("binary") != std::string::npos)
+          return "Save it as text (gmsh: Mesh.Binary = 0).";
+        if (reason.find("lement type") != std::string::npos)
+          return "Save it with elements of first order (gmsh: Mesh.ElementOrder = 1).";
+        return "Save it again by gmsh.";
       }
     };
 

@@ -39,7 +39,7 @@ void report(const std::string &name, const Entries &entries, const double volume
                                               ? 2
                                               : parameters.divisions.region_boundaries.size() + 1;
   Triangulation<dim>          tria;
-  make_body_grid(tria, parameters, n_regions, "Body x");
+  make_body_grid(tria, parameters, std::vector<std::string>(n_regions, "x"), "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
 
@@ -132,7 +132,10 @@ void print_error(const std::string &type, Entries entries, const unsigned int n_
 {
   entries["Type"] = type;
   Triangulation<dim> tria;
-  print_error([&]() { make_body_grid(tria, ShapeFromEntries<dim>(entries), n_regions, "Body x"); });
+  print_error([&]() {
+    make_body_grid(tria, ShapeFromEntries<dim>(entries), std::vector<std::string>(n_regions, "x"),
+                   "Body x");
+  });
 }
 
 void print_bad_input()

@@ -11,8 +11,10 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include <limits>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace caudal
@@ -112,6 +114,12 @@ namespace caudal
     virtual double get_beat_frequency() const
     {
       return 0.;
+    }
+
+    /** The first and the last time [s] of which the muscle knows something. */
+    virtual std::pair<double, double> get_time_range() const
+    {
+      return {0., std::numeric_limits<double>::max()};
     }
 
     /** Whether it can pull harder on one side than on the other. */

@@ -26,11 +26,11 @@ namespace caudal
   double parse_number(const std::string &field, const std::string &place);
 
   /**
-   * The rows of numbers in a text file: entries separated by commas or blanks, comments from
-   * '#' on, line ends of Windows. A first row that begins with a word is the header. Throws a
-   * sentence about the first bad row, also unless each one has @p n_columns numbers, of which 0
-   * allows any number. @p entry is the section and entry of the .prm that messages name,
-   * together with file and line.
+   * The rows of numbers in a text file, as spreadsheets write it: entries separated by commas,
+   * semicolons or blanks, perhaps in quotes, comments from '#' on, see read_text_file(). A first
+   * row that begins with a word is the header. Throws a sentence about the first bad row, also
+   * unless each one has @p n_columns numbers, of which 0 allows any number. @p entry is the section
+   * and entry of the .prm that messages name, together with file and line.
    */
   NumberTable read_number_table(const std::string &entry, const std::string &file_name,
                                 unsigned int n_columns);

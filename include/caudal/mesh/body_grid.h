@@ -40,14 +40,14 @@ namespace caudal
 
   /**
    * The body's grid in its own frame [m]: straight-sided quadrilaterals or hexahedra on one
-   * level; the material id is the region, 0 to @p n_regions - 1, all boundary ids are 0.
+   * level; the material id is the number of the region in @p regions, all boundary ids are 0.
    *
    * Cells belong to the region their centre lies in. For naca, eel, beam, rectangle
    * and quadrilateral each region boundary is a grid line.
    */
   template <int dim>
   void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,
-                      const unsigned int n_regions, const std::string &path);
+                      const std::vector<std::string> &regions, const std::string &path);
 
   /** X = position + R(rotation) s: where the point s of the body's own frame is at the start. */
   template <int dim>
@@ -63,12 +63,16 @@ namespace caudal
     /**
      * The smallest thickness of the body in each region: the smallest distance
      * from the centre of one of the region's boundary faces, along the inward
-     * normal, to the opposite side. Infinite for a region inside the body.
+     * normal, to the opposite side, which looks the other way. Infinite for a region inside the
+     * body.
      */
     std::vector<double> region_thickness;
 
-    /** The smallest of these. */
+    /** The smallest of all. */
     double thinnest;
+
+    /** The median of these distances over the whole boundary, by area. */
+    double typical_thickness;
   };
 
   template <int dim>

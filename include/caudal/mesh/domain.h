@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/distributed/tria.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace caudal
@@ -35,6 +36,14 @@ namespace caudal
       for (unsigned int d = 0; d < dim; ++d)
         edges[d] = size[d] / cells[d] / (1 << level);
       return edges;
+    }
+
+    double get_shortest_side() const
+    {
+      double shortest = size[0];
+      for (unsigned int d = 1; d < dim; ++d)
+        shortest = std::min(shortest, size[d]);
+      return shortest;
     }
 
     unsigned int get_finest_level() const

@@ -3,6 +3,7 @@
 #define caudal_mesh_shape_h
 
 #include <caudal/base/plugin.h>
+#include <caudal/mesh/gmsh_file.h>
 #include <caudal/mesh/straight_body.h>
 
 #include <deal.II/base/tensor.h>
@@ -102,6 +103,12 @@ namespace caudal
     virtual std::string get_region_entry() const
     {
       return "";
+    }
+
+    /** Names of the grid's material ids, if it brings names; then regions are known by them. */
+    virtual GroupNames get_group_names() const
+    {
+      return {};
     }
 
     /** Whether make_straight_body() can give the body's surface. */
