@@ -21,6 +21,9 @@ namespace caudal
         "Quadrature density", quadrature_density,
         "Smallest number of quadrature points of the deformed body per fluid spacing, "
         "in each direction [1].");
+    prm.add_parameter("Accept unresolved bodies", accept_unresolved_bodies,
+                      "Run although most of a body is thinner than half a cell of the fluid. "
+                      "Its results mean nothing, and are marked so.");
     prm.leave_subsection();
   }
 

@@ -69,7 +69,7 @@ namespace caudal
           const Tensor<1, dim> n = velocities.get_normal_vectors()[q];
           const Tensor<1, dim> traction =
               parameters.get_viscosity() * (gradient[q] * n) -
-              (pressure[q] - parameters.density * parameters.grad_div * trace(gradient[q])) * n;
+              (pressure[q] - parameters.density * space.get_grad_div() * trace(gradient[q])) * n;
           sum += integrand(velocity[q], n, traction) * velocities.JxW(q);
         }
         return sum;

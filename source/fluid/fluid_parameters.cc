@@ -28,9 +28,11 @@ namespace caudal
                       "Kinematic viscosity nu = mu/rho of the fluid [m^2/s].");
     prm.add_parameter(
         "Grad-div stabilisation", grad_div,
-        "Coefficient gamma of the term rho gamma (div u, div v) [m^2/s]. About a tenth of "
-        "speed times length suits immersed bodies: more stiffens the cells that "
-        "their faces cut. Flows at Reynolds numbers of 1e6 may need more.");
+        "Coefficient gamma of the term rho gamma (div u, div v) [m^2/s]; automatic: a tenth of "
+        "speed times length, of inflows, initial velocity and swimming bodies as far as the "
+        "parameters tell, else 1. More stiffens the cells that the bodies' faces cut. Flows at "
+        "Reynolds numbers of 1e6 may need more.",
+        Patterns::Anything());
     prm.add_parameter("Convection stabilisation", convection_stabilisation,
                       "Coefficient c of the local projection stabilisation of the streamline "
                       "derivative, c rho h/|u| (k(u.grad u), k(u.grad v)), k = identity minus the "
@@ -59,7 +61,7 @@ namespace caudal
   {
     check_positive("Fluid/Density", density);
     check_positive("Fluid/Kinematic viscosity", kinematic_viscosity);
-    check_not_negative("Fluid/Grad-div stabilisation", grad_div);
+    get_grad_div();
     check_not_negative("Fluid/Convection stabilisation", convection_stabilisation);
     check_not_negative("Fluid/Inflow ramp", inflow.ramp);
     Expression<dim>("Fluid/Inflow velocity", inflow.velocity, dim);
@@ -85,6 +87,20 @@ namespace caudal
       conditions.back()->set_up(inflow, side.get_path("Fluid/Boundary conditions"));
     }
     return conditions;
+  }
+
+  template <int dim>
+  std::optional<double> FluidParameters<dim>::get_grad_div() const
+  {
+    const std::string path = "Fluid/Grad-div stabilisation";
+    if (grad_div == "automatic")
+      return {};
+    AssertThrow(Patterns::Double().match(grad_div),
+                ExcMessage(path + ": the value is <" + grad_div +
+                           ">. Give automatic or a number [m^2/s]."));
+    const double value = Utilities::string_to_double(grad_div);
+    check_not_negative(path, value);
+    return value;
   }
 
   template <int dim>

@@ -16,13 +16,14 @@ namespace caudal
   template <int dim>
   FluidSpace<dim>::FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
                               const DomainParameters<dim>               &domain,
-                              const FluidParameters<dim>                &parameters)
+                              const FluidParameters<dim> &parameters, const double grad_div)
       : velocity_element(FE_Q<dim>(2), dim)
       , pressure_element(1)
       , velocity_dofs(triangulation)
       , pressure_dofs(triangulation)
       , triangulation(triangulation)
       , parameters(parameters)
+      , grad_div(grad_div)
       , domain_size(domain.size)
       , boundary_conditions(parameters.create_boundary_conditions())
       , body_force_loads(parameters)

@@ -66,7 +66,7 @@ namespace caudal
     // Round-off can make a vanishing sum of squares negative.
     summary.divergence_norm = std::sqrt(std::max(divergence, 0.));
     summary.grad_div_dissipation =
-        parameters.density * parameters.grad_div * std::max(divergence, 0.);
+        parameters.density * space.get_grad_div() * std::max(divergence, 0.);
     return summary;
   }
 

@@ -57,7 +57,7 @@ namespace caudal
   template <int dim>
   void ControlVolume<dim>::check_case(const Observation<dim> &start) const
   {
-    AssertThrow(!is_active() || has_all_bodies(start),
+    AssertThrow(!is_active() || start.step_number > 0 || has_all_bodies(start),
                 ExcMessage("Fluid/Control volume: the coarse cells with their centre in it do not "
                            "hold all bodies with their kernels. Give a larger one."));
   }

@@ -2,7 +2,7 @@
 #include <caudal/observe/swim_report.h>
 
 #include <caudal/base/json.h>
-#include <caudal/io/safe_file.h>
+#include <caudal/base/safe_file.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -32,6 +32,8 @@ namespace caudal
              {&SwimSample::tail_position, &SwimSample::forward_position, &SwimSample::muscle_work,
               &SwimSample::forward_momentum, &SwimSample::body_impulse, &SwimSample::fluid_impulse})
           result.*member = mix(a.*member, b.*member);
+        for (const auto member : {&SwimSample::tail, &SwimSample::centre})
+          result.*member = (1 - weight) * (a.*member) + weight * (b.*member);
         for (const auto member : {&EnergyLedger::kinetic_energy, &EnergyLedger::elastic_energy,
                                   &EnergyLedger::dissipation, &EnergyLedger::numerical_dissipation,
                                   &EnergyLedger::muscle_work, &EnergyLedger::feedback_work,
@@ -47,6 +49,30 @@ namespace caudal
           inside.push_back(sample);
       inside.push_back(interpolate(cycle.end));
       return inside;
+    }
+
+    /**
+     * Half of the peak-to-peak excursion of the tail from the path of swimming, the line on which
+     * the centre of mass moves in the beat; that of the body's axis if it does not come forward.
+     */
+    double compute_amplitude(const SwimmerConstants        &swimmer,
+                             const std::vector<SwimSample> &samples)
+    {
+      const SwimSample  &first = samples.front(), &last = samples.back();
+      const Tensor<1, 2> way    = last.centre - first.centre;
+      const bool         goes   = way.norm() > 0.01 * swimmer.length;
+      const Tensor<1, 2> path   = goes ? way / way.norm() : Point<2>::unit_vector(0);
+      double             lowest = 0, highest = 0;
+      for (const SwimSample &sample : samples)
+      {
+        const Tensor<1, 2> on_path =
+            first.centre + (sample.time - first.time) / (last.time - first.time) * way;
+        const Tensor<1, 2> distance  = sample.tail - on_path;
+        const double       excursion = path[0] * distance[1] - path[1] * distance[0];
+        lowest                       = &sample == &first ? excursion : std::min(lowest, excursion);
+        highest                      = &sample == &first ? excursion : std::max(highest, excursion);
+      }
+      return 0.5 * (highest - lowest);
     }
 
     /** Thrust and drag are the positive and the negative part of the fluid's forward force. */
@@ -98,6 +124,8 @@ namespace caudal
                                           speed * speed * speed
                                     : 0.;
       beat.quasi_propulsive = beat.towing_power / beat.power;
+      beat.numerical_share =
+          beat.dissipation != 0 ? beat.numerical_dissipation / beat.dissipation : 0.;
     }
   } // namespace
 
@@ -108,8 +136,10 @@ namespace caudal
          false},
         {&TailBeat::period, "period", "T", "s", false, "period, to the next rise", 4, true, true},
         {&TailBeat::frequency, "frequency", "f", "Hz", false, "frequency 1/T", 4, true, false},
-        {&TailBeat::amplitude, "amplitude", "A", "m", false, "amplitude: half of peak to trough", 4,
-         true, true},
+        {&TailBeat::amplitude, "amplitude", "A", "m", false,
+         "amplitude: half of peak to trough of the monitored point's excursion from the path of "
+         "swimming, the line on which the centre of mass moves in the beat (domain's frame)",
+         4, true, true},
         {&TailBeat::speed, "speed", "U", "m/s", false, "mean forward speed of the centre of mass",
          4, true, true},
         {&TailBeat::lengths_per_s, "speed in lengths", "U/L", "1/s", false,
@@ -166,6 +196,9 @@ namespace caudal
         {&TailBeat::numerical_dissipation, "numerical dissipation", "numerical", "J", true,
          "the part of diss by stabilisations (grad-div, local projection) and the time scheme", 4,
          false, true},
+        {&TailBeat::numerical_share, "numerical share", "num/diss", "", false,
+         "numerical dissipation / dissipation: near 1 it is not viscosity that takes the energy", 4,
+         true, false},
         {&TailBeat::feedback, "feedback", "feedback", "J", true,
          "taken up by feedback springs and dampers", 4, false, true},
         {&TailBeat::external_work, "external work", "external", "J", true,
@@ -191,7 +224,7 @@ namespace caudal
     TailBeat beat;
     beat.start     = cycle.start;
     beat.period    = cycle.end - cycle.start;
-    beat.amplitude = cycle.amplitude;
+    beat.amplitude = compute_amplitude(swimmer, inside);
     beat.speed     = (last.forward_position - first.forward_position) / beat.period;
     beat.power     = (last.muscle_work - first.muscle_work) / beat.period;
     set_forces(inside, beat);

@@ -53,8 +53,11 @@ namespace caudal
       swimmer.has_control_volume =
           has_one_body && context.others.template get<ControlVolume<dim>>().is_active();
       reports.emplace_back();
-      if (body.swims())
-        reports.back().emplace(swimmer, context.log, is_root ? context.folder.path(file) : "");
+      if (!body.swims())
+        continue;
+      context.folder.add(file.substr(0, file.rfind('.')) + ".json");
+      const std::string path = context.folder.add(file);
+      reports.back().emplace(swimmer, context.log, is_root ? path : "");
     }
     body_impulses.resize(reports.size());
   }
@@ -76,8 +79,13 @@ namespace caudal
     sample.forward_position =
         (solid.compute_mean(state.positions) - solid.compute_mean(solid.get_initial_positions())) *
         forward;
-    sample.muscle_work      = state.muscle_work;
-    sample.forward_momentum = get_density(observation, solid) * volume * speed;
+    const Tensor<1, dim> side   = solid.get_initial_axis(1);
+    const Tensor<1, dim> tail   = body.get_monitored_position(state);
+    const Tensor<1, dim> centre = solid.compute_mean(state.positions);
+    sample.tail                 = Point<2>(tail * forward, tail * side);
+    sample.centre               = Point<2>(centre * forward, centre * side);
+    sample.muscle_work          = state.muscle_work;
+    sample.forward_momentum     = get_density(observation, solid) * volume * speed;
     // The body force includes the inertia of the excess mass.
     sample.body_impulse = body_impulses[b] + solid.get_excess_density() * volume * speed;
     sample.fluid_impulse =
@@ -121,7 +129,7 @@ namespace caudal
   }
 
   template <int dim>
-  void TailBeats<dim>::resume(const ObserverContext<dim> &context)
+  void TailBeats<dim>::resume(const Observation<dim> &, const ObserverContext<dim> &context)
   {
     run_on_all(context.communicator, [&]() {
       for (const auto &report : reports)

@@ -3,6 +3,7 @@
 #include <caudal/solid/body.h>
 #include <caudal/solid/rigid_motion.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
@@ -112,6 +113,25 @@ namespace caudal
                    std::to_string(nose) +
                    " m there. Give a shape whose nose is at 0 (naca, eel), or move that of "
                    "the file."));
+  }
+
+  template <int dim>
+  void Body<dim>::check_until(const double end_time) const
+  {
+    const auto check = [&](const std::string &section, const double begin, const double end) {
+      AssertThrow(
+          begin <= 1e-9 * end_time && end_time <= end * (1. + 1e-9),
+          ExcMessage(solid.get_parameters().get_path() + "/" + section +
+                     "/Table/File: the table reaches from " + Patterns::Tools::to_string(begin) +
+                     " s to " + Patterns::Tools::to_string(end) + " s, and the run from 0 s to " +
+                     Patterns::Tools::to_string(end_time) +
+                     " s. Complete the table, end the run earlier (Time/End time), or set " +
+                     section + "/Table/Periodic."));
+    };
+    if (has_gait())
+      check("Gait", 0., gait->get_end());
+    const auto [begin, end] = muscle->get_time_range();
+    check("Muscle", begin, end);
   }
 
   template <int dim>

@@ -21,8 +21,7 @@ namespace caudal
       , dof_handler(triangulation)
       , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid_density)
   {
-    make_body_grid(triangulation, parameters.grid, parameters.regions.size(),
-                   parameters.get_path());
+    make_body_grid(triangulation, parameters.grid, parameters.regions, parameters.get_path());
     for (unsigned int r = 0; r < parameters.regions.size(); ++r)
       materials.push_back(
           parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));

@@ -27,31 +27,19 @@ namespace caudal
     }
     catch (const SolverControl::NoConvergence &exception)
     {
-      throw StepFailure(
-          "The linear solver did not converge (residual " +
-              std::to_string(exception.last_residual) + "; Solver/Largest number of iterations).",
-          "Likely the forces on a body change too much within a step, or the tolerance is "
-          "below the round-off: reduce Time/Step (or set Time/Adaptive), soften the feedback "
-          "springs, or increase Solver/Tolerance or Solver/Largest number of iterations.",
-          step.state.bodies);
+      throw StepFailure("The linear solver did not converge (residual " +
+                            std::to_string(exception.last_residual) +
+                            "; Solver/Largest number of iterations).",
+                        StepFailure::Kind::not_converged, step.state.bodies);
     }
     catch (const ExcInvertedElement &exception)
     {
-      throw StepFailure(
-          get_sentence(exception),
-          "Likely the body is pushed together there faster than the step or its elements "
-          "resolve: reduce Time/Step, the force of the muscle, or increase Body/Region/"
-          "Volumetric stabilisation; a finer fluid grid (Domain/Levels) keeps volumes better.",
-          step.state.bodies);
+      throw StepFailure(get_sentence(exception), StepFailure::Kind::inverted_element,
+                        step.state.bodies);
     }
     catch (const ExcNotFinite &exception)
     {
-      throw StepFailure(
-          get_sentence(exception),
-          "Likely the flow or a force grew without bound: reduce Time/Step, look at the "
-          "forces and at the inflow that the parameters prescribe, and at the last rows of "
-          "statistics.txt.",
-          step.state.bodies);
+      throw StepFailure(get_sentence(exception), StepFailure::Kind::not_finite, step.state.bodies);
     }
     return step;
   }

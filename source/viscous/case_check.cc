@@ -7,16 +7,12 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <set>
 
 namespace caudal
 {
   namespace
   {
-    // What was measured with Turek and Hron's flag (prm/benchmarks/README.md): three cells of the
-    // fluid across it are enough, with two its lift is a fifth too large; body nodes much closer
-    // than the fluid's cells make a body thicker, much wider ones leak.
-    constexpr double least_thickness = 3;
-    constexpr double finest_ratio = 0.6, coarsest_ratio = 1.7;
     // In FSI3 with steps of 5 ms, all whose figures are right.
     constexpr double largest_cfl = 7;
 
@@ -27,9 +23,14 @@ namespace caudal
     // How the cost of a step grows with the number of cells.
     constexpr double growth = 1.2;
 
-    // A fish at a Strouhal number of 0.3 with a tail that sweeps a fifth of its length swims
-    // 0.2/0.3 lengths a beat (Triantafyllou et al. 1993, doi:10.1006/jfls.1993.1012).
-    constexpr double lengths_per_beat = 0.2 / 0.3;
+    // A boundary layer is 5 L/Re^(1/2) thick at the end of a plate (Blasius 1908).
+    constexpr double layer_thickness = 5;
+
+    // Grad-div terms larger than U L/10 by this factor slow down a fish by a tenth or more.
+    constexpr double largest_grad_div = 5;
+
+    // Bodies that are lighter or heavier than the fluid by such factors are likely a wrong unit.
+    constexpr double largest_density_ratio = 50;
 
     std::string print(const double value)
     {
@@ -42,8 +43,10 @@ namespace caudal
   template <int dim>
   CaseCheck<dim>::CaseCheck(const Operators<dim> &operators, const unsigned int n_cells)
       : parameters(operators.parameters)
+      , scales(operators.scales)
+      , grad_div(operators.space.get_grad_div())
       , n_cells(n_cells)
-      , cell_size(2 * parameters.domain.get_finest_spacing().norm() / std::sqrt(dim))
+      , cell_size(get_finest_cell(parameters.domain))
       , kernel_width(2 * cell_size * operators.coupling.get_support())
   {
     for (const auto &body : operators.bodies)
@@ -56,19 +59,20 @@ namespace caudal
     const SolidBody<dim>       &solid   = body.get_solid();
     const SolidParameters<dim> &entries = solid.get_parameters();
     const double                density = parameters.fluid.density + solid.get_excess_density();
-    const double volume = solid.get_reference_volume() / solid.get_triangulation().n_active_cells();
 
-    BodyOnGrid result{body, entries.get_path(),
-                      compute_extent(solid.get_triangulation()).region_thickness};
-    result.spacing_ratio = std::pow(volume, 1. / dim) / entries.polynomial_degree / cell_size;
+    BodyOnGrid result{body, entries.get_path(), measure_resolution(body, parameters.domain)};
     for (unsigned int r = 0; r < entries.regions.size(); ++r)
     {
-      const RegionParameters<dim> &region  = *entries.region_parameters[r];
-      const double                 modulus = region.cell_volume_stabilisation +
-                             region.material.get_wave_modulus(entries.get_region_path(r));
+      const RegionParameters<dim> &region = *entries.region_parameters[r];
+      const std::string            path   = entries.get_region_path(r);
+      const double                 modulus =
+          region.cell_volume_stabilisation + region.material.get_wave_modulus(path);
       result.wave_speed = std::max(result.wave_speed, std::sqrt(modulus / density));
       result.spring_frequency =
           std::max(result.spring_frequency, std::sqrt(region.feedback_stiffness / density));
+      const std::string remark = region.material.get_immersed_remark(path);
+      if (!remark.empty())
+        result.remarks.push_back(path + ": " + remark);
     }
     measure_room(result);
     return result;
@@ -114,20 +118,29 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
-      out << body.path << ": its nodes are " << print(body.spacing_ratio)
+      out << body.path << ": its nodes are " << print(body.resolution.spacing_ratio)
           << " of the fluid's finest cells apart; thickness of";
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
-        out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' ' << print(body.thickness[r])
-            << " m = " << print(body.thickness[r] / cell_size) << " cells";
+        out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' '
+            << print(body.resolution.thinnest[r])
+            << " m = " << print(body.resolution.thinnest[r] / cell_size) << " cells";
         if (kernel_width > 0)
-          out << " = " << print(body.thickness[r] / kernel_width) << " kernel widths";
+          out << " = " << print(body.resolution.thinnest[r] / kernel_width) << " kernel widths";
       }
       out << ".\n";
       if (body.swims())
         out << body.path << ": " << print(body.room_ahead) << " m of room ahead, enough for "
             << print(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";
     }
+    if (scales.speed > 0)
+      out << "Flow: U = " << print(scales.speed) << " m/s (of inflows, initial velocity, swimmers) "
+          << "and L = " << print(scales.length) << " m give Re = "
+          << print(scales.speed * scales.length / parameters.fluid.kinematic_viscosity)
+          << "; at that a boundary layer is " << print(get_boundary_layer())
+          << " m = " << print(get_boundary_layer() / cell_size)
+          << " of the finest cells thick at its end. "
+          << "Grad-div stabilisation " << print(grad_div) << " m2/s.\n";
     out << "Steps: ";
     if (std::isfinite(get_explicit_limit()))
       out << "the explicit scheme takes about " << print(get_explicit_limit()) << " s; ";
@@ -167,9 +180,13 @@ namespace caudal
   std::vector<std::string> CaseCheck<dim>::find_warnings() const
   {
     std::vector<std::string> warnings;
+    for (const BodyOnGrid &body : bodies)
+      warnings.insert(warnings.end(), body.remarks.begin(), body.remarks.end());
     add_thickness_warnings(warnings);
     add_domain_warnings(warnings);
     add_wake_warnings(warnings);
+    add_flow_warnings(warnings);
+    add_body_warnings(warnings);
     return warnings;
   }
 
@@ -178,28 +195,40 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
+      if (body.swims() && body.resolution.typical < thinnest_meaningful * cell_size)
+        warnings.push_back(body.path +
+                           ": RESULTS MEAN NOTHING: most of the body is thinner than "
+                           "half a cell of the fluid (Coupling/Accept unresolved bodies).");
+      else if (body.swims() && body.resolution.typical < cell_size)
+        warnings.push_back(body.path + ": most of the body is thinner than a cell of the fluid, " +
+                           print(body.resolution.typical) +
+                           " m: forces and speeds can be wrong by a factor of four. Use a finer "
+                           "grid (Domain/Levels).");
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
         const std::string region = body.path + ": region " + body.get_regions()[r] + " is " +
-                                   print(body.thickness[r]) + " m thick at its thinnest, ";
-        if (body.thickness[r] < kernel_width)
+                                   print(body.resolution.thinnest[r]) +
+                                   " m thick at its thinnest, ";
+        if (body.resolution.thinnest[r] < kernel_width)
           warnings.push_back(
               region + "less than the width " + print(kernel_width) +
               " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
               "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).");
-        else if (body.thickness[r] < least_thickness * cell_size)
+        else if (body.resolution.thinnest[r] < least_thickness * cell_size)
           warnings.push_back(
               region + "less than " + print(least_thickness) +
               " cells of the fluid: the flow round it is not resolved there. Use a "
               "finer grid (Domain/Levels), or compare with one to see what it costs.");
       }
-      if (body.spacing_ratio > coarsest_ratio)
+      if (body.resolution.spacing_ratio > coarsest_ratio)
         warnings.push_back(
-            body.path + "/Shape/Elements: the body's nodes are " + print(body.spacing_ratio) +
+            body.path + "/Shape/Elements: the body's nodes are " +
+            print(body.resolution.spacing_ratio) +
             " of the fluid's finest cells apart: fluid may leak through it. Give more.");
-      if (body.spacing_ratio < finest_ratio)
+      if (body.resolution.spacing_ratio < finest_ratio)
         warnings.push_back(
-            body.path + "/Shape/Elements: the body's nodes are " + print(body.spacing_ratio) +
+            body.path + "/Shape/Elements: the body's nodes are " +
+            print(body.resolution.spacing_ratio) +
             " of the fluid's finest cells apart: more motions than the fluid has make "
             "the body thicker. Give fewer.");
     }
@@ -217,12 +246,11 @@ namespace caudal
                            print(body.nearest_side) + " m away, less than a body length (" +
                            print(body.body.get_length()) +
                            " m): the body feels it. Move the body or change Domain/Size.");
-      const double distance = lengths_per_beat * body.body.get_length() *
-                              body.body.get_beat_frequency() * parameters.time.end_time;
+      const double speed    = estimate_swimming_speed(body.body);
+      const double distance = speed * parameters.time.end_time;
       if (distance > body.room_ahead)
-        warnings.push_back("Time/End time: at " + print(lengths_per_beat) + " lengths a beat " +
-                           body.path + " swims " + print(distance) + " m, and there are " +
-                           print(body.room_ahead) +
+        warnings.push_back("Time/End time: at " + print(speed) + " m/s " + body.path + " swims " +
+                           print(distance) + " m, and there are " + print(body.room_ahead) +
                            " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
       if (body.body.get_beat_frequency() * parameters.time.step > 0.02)
         warnings.push_back("Time/Step: " + print(parameters.time.step) +
@@ -247,6 +275,90 @@ namespace caudal
           std::to_string(static_cast<unsigned int>(n_cells)) +
           " at the start already, so that none are left for the wake. Give more than " +
           std::to_string(refinement.largest_number_of_cells) + ".");
+  }
+
+  template <int dim>
+  double CaseCheck<dim>::get_boundary_layer() const
+  {
+    return layer_thickness *
+           std::sqrt(parameters.fluid.kinematic_viscosity * scales.length / scales.speed);
+  }
+
+  template <int dim>
+  void CaseCheck<dim>::add_flow_warnings(std::vector<std::string> &warnings) const
+  {
+    if (scales.speed == 0)
+      return;
+    const bool   swims = std::any_of(bodies.begin(), bodies.end(),
+                                     [](const BodyOnGrid &body) { return body.swims(); });
+    const double usual = scales.get_grad_div();
+    if (swims && grad_div > largest_grad_div * usual)
+      warnings.push_back("Fluid/Grad-div stabilisation: " + print(grad_div) +
+                         " m2/s are far more than a tenth of speed times length, " + print(usual) +
+                         ": they slow the body down. Give automatic, or that.");
+    if (!bodies.empty() && get_boundary_layer() < cell_size)
+      warnings.push_back(
+          "Domain/Levels: the boundary layer, about " + print(get_boundary_layer()) +
+          " m thick, is thinner than a cell: friction and separation will be those of the grid, "
+          "not of Fluid/Kinematic viscosity. Use finer cells or a larger viscosity.");
+    const double spacings = scales.speed * parameters.time.step / (0.5 * cell_size);
+    if (spacings > largest_cfl)
+      warnings.push_back("Time/Step: at " + print(scales.speed) + " m/s the flow passes " +
+                         print(spacings) + " spacings of the grid in a step, and " +
+                         print(largest_cfl) + " are the most that was tried. Give " +
+                         print(parameters.time.step * largest_cfl / spacings) + " s or less.");
+  }
+
+  template <int dim>
+  void CaseCheck<dim>::add_body_warnings(std::vector<std::string> &warnings) const
+  {
+    for (const BodyOnGrid &body : bodies)
+    {
+      const SolidBody<dim> &solid = body.body.get_solid();
+      const double          ratio = solid.get_parameters().density / parameters.fluid.density;
+      if (ratio > 0 && (ratio > largest_density_ratio || ratio < 1 / largest_density_ratio))
+        warnings.push_back(body.path + "/Density: it is " + print(ratio) +
+                           " of the fluid's. If that is not meant, give it in kg/m^3.");
+      if (body.wave_speed > 0 && body.wave_speed < scales.speed)
+        warnings.push_back(body.path + ": elastic waves run through it at " +
+                           print(body.wave_speed) + " m/s, slower than the flow of " +
+                           print(scales.speed) +
+                           " m/s, to which it gives way like a fluid. If that is not meant, give "
+                           "its moduli in Pa.");
+      if (is_symmetric(solid) && body.spring_frequency == 0 && !body.body.swims() &&
+          solid.get_excess_density() != 0 && solid.get_parameters().traction.empty())
+        warnings.push_back(
+            body.path + " is free and lies symmetrically in the domain: so its wake stays, and "
+                        "a body that would swerve does not, and is too fast. Give it a small push "
+                        "by the entry Traction, such as <if(t < 0.1, 1e-3, 0); 0> Pa.");
+    }
+  }
+
+  /** Whether the reflection at a plane in the middle of the domain maps the body on itself. */
+  template <int dim>
+  bool CaseCheck<dim>::is_symmetric(const SolidBody<dim> &solid) const
+  {
+    std::vector<Point<dim>> nodes;
+    for (const auto &node : solid.get_nodes())
+      nodes.push_back(get_value(solid.get_initial_positions(), node));
+    const double tolerance = 1e-6 * cell_size;
+    const auto   precedes  = [&](const Point<dim> &a, const Point<dim> &b) {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(a[d] - b[d]) > tolerance)
+          return a[d] < b[d];
+      return false;
+    };
+    const std::set<Point<dim>, decltype(precedes)> places(nodes.begin(), nodes.end(), precedes);
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const double middle = parameters.domain.lower_corner[d] + 0.5 * parameters.domain.size[d];
+      if (std::all_of(nodes.begin(), nodes.end(), [&](Point<dim> node) {
+            node[d] = 2 * middle - node[d];
+            return places.count(node) > 0;
+          }))
+        return true;
+    }
+    return false;
   }
 
   template class CaseCheck<2>;

@@ -76,7 +76,7 @@ namespace caudal
         Linearisation point;
         point.weights.inertia      = parameters.density / dt;
         point.weights.viscosity    = 0.5 * parameters.get_viscosity();
-        point.weights.grad_div     = 0.5 * parameters.density * parameters.grad_div;
+        point.weights.grad_div     = 0.5 * parameters.density * operators.space.get_grad_div();
         point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
         return point;
       }

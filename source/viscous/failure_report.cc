@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/viscous/body_resolution.h>
 #include <caudal/viscous/failure_report.h>
 
 #include <boost/serialization/utility.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 
 namespace caudal
@@ -85,6 +88,61 @@ namespace caudal
       }
       return nearest;
     }
+
+    /** What the body has that may make a solver fail, and what to change: sentences. */
+    template <int dim>
+    std::string describe_stiffness(const Body<dim> &body, const RunParameters<dim> &parameters)
+    {
+      const SolidParameters<dim> &entries = body.get_solid().get_parameters();
+      const double                ratio = measure_resolution(body, parameters.domain).spacing_ratio;
+      std::ostringstream          text;
+      text << std::setprecision(2);
+      if (ratio < finest_ratio)
+        text << " The nodes of body " << body.get_name() << " are only " << ratio
+             << " of the fluid's finest cells apart, so that it has more motions than the fluid "
+                "has there, and the coupled equations are nearly singular: give fewer "
+             << entries.get_path() << "/Shape/Elements, or more Domain/Levels.";
+      for (unsigned int r = 0; r < entries.regions.size(); ++r)
+        if (entries.region_parameters[r]->feedback_stiffness > 0)
+          text << " Soften the springs of region " << entries.regions[r] << " of body "
+               << body.get_name() << " (Feedback stiffness) if they are the cause.";
+      return text.str();
+    }
+
+    /** The likely cause of a failure, and what to change. */
+    template <int dim>
+    std::string advise(const StepFailure &failure, const Operators<dim> &operators)
+    {
+      const auto &parameters = operators.parameters;
+      std::string advice;
+      for (const auto &body : operators.bodies)
+        advice += describe_stiffness(*body, parameters);
+      const std::string smaller_step =
+          parameters.time.adaptive ? "" : "reduce Time/Step (or set Time/Adaptive), ";
+      const bool has_muscles = std::any_of(operators.bodies.begin(), operators.bodies.end(),
+                                           [](const auto &body) { return body->swims(); });
+      switch (failure.kind)
+      {
+      case StepFailure::Kind::not_converged:
+        return "Likely " +
+               std::string(operators.bodies.empty() ? "the flow changes"
+                                                    : "the forces on a body change") +
+               " too much within a step, or the tolerance is below the round-off: " + smaller_step +
+               "increase Solver/Tolerance or Solver/Largest number of iterations." + advice;
+      case StepFailure::Kind::inverted_element:
+        return "Likely the body is pushed together there faster than the step or its elements "
+               "resolve: reduce Time/Step" +
+               std::string(has_muscles ? ", the force of the muscle" : "") +
+               ", or increase Body/Region/Volumetric stabilisation; a finer fluid grid "
+               "(Domain/Levels) keeps volumes better." +
+               advice;
+      default:
+        return "Likely the flow or a force grew without bound: " + smaller_step +
+               "look at the forces and at the inflow that the parameters prescribe, and at the "
+               "last rows of statistics.txt." +
+               advice;
+      }
+    }
   } // namespace
 
   template <int dim>
@@ -93,8 +151,9 @@ namespace caudal
   {
     std::ostringstream text;
     const Extreme<dim> flow = find_fastest_flow(operators.space, state.fluid.velocity);
-    text << failure.advice << " Where to look: the fastest flow of the last good state, "
-         << flow.value << " m/s, is in the cell at (" << flow.place << ") m";
+    text << advise(failure, operators)
+         << " Where to look: the fastest flow of the last good state, " << flow.value
+         << " m/s, is in the cell at (" << flow.place << ") m";
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
     {
       const SolidBody<dim> &solid   = operators.bodies[b]->get_solid();

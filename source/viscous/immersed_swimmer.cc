@@ -3,6 +3,7 @@
 
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/fluid/boundary_flux.h>
 #include <caudal/io/progress.h>
 #include <caudal/observe/tail_beats.h>
 #include <caudal/viscous/adaptation.h>
@@ -19,6 +20,7 @@ namespace caudal
   {
     // The part of a checkpoint that holds the reports.
     const std::string output_part = "energies, tail beats or counters of the output";
+    const std::string report_part = "results of the last step";
 
     template <int dim>
     std::string print_place(const Point<dim> &point)
@@ -45,19 +47,27 @@ namespace caudal
   void ImmersedSwimmer<dim>::start()
   {
     check_places();
+    check_resolution(operators);
+    for (const auto &body : operators.bodies)
+      body->check_until(parameters.time.end_time);
     state       = make_initial_state(operators);
     report.flow = summarise_flow(operators.space, state.fluid.velocity);
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
       report.bodies[b].deformation =
           summarise_deformation(operators.bodies[b]->get_solid(), state.bodies[b].positions);
+    check_boundary_flux(operators.space, parameters.time.end_time);
     observers.check_case(observe());
   }
 
   template <int dim>
   void ImmersedSwimmer<dim>::resume_from(Checkpoint checkpoint)
   {
-    state   = restore(checkpoint, operators);
+    for (const auto &body : operators.bodies)
+      body->check_until(parameters.time.end_time);
+    state = restore(checkpoint, operators);
+    unpack(checkpoint.parts.at(report_part), report);
     resumed = std::move(checkpoint);
+    observers.check_case(observe());
   }
 
   template <int dim>
@@ -254,9 +264,16 @@ namespace caudal
         log.get_stream());
     log << std::endl;
     observers.start(observe(), folder, log, parameters.output, resumed.has_value());
-    writer.start(folder.path());
+    writer.start(folder);
     if (resumed)
+    {
       unpack(resumed->parts.at(output_part), observers);
+      observers.resume(observe());
+      if (state.time.is_at_end())
+        log << "Nothing to do: the run has come to its end time. Give a later one to go on, -D "
+               "\"Time/End time=...\"."
+            << std::endl;
+    }
     resumed.reset();
     const unsigned int first_step = state.time.get_step_number();
     const double       start      = state.time.get_time();
@@ -292,6 +309,7 @@ namespace caudal
     TimerOutput::Scope timer_section(operators.timer, "checkpoint");
     Checkpoint         checkpoint = take_checkpoint(operators, state);
     checkpoint.parameters         = parameter_values;
+    checkpoint.parts[report_part] = pack(report);
     checkpoint.parts[output_part] = pack(observers);
     writer.write(pack(checkpoint), step_number, state.time.get_time());
   }

@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/mesh/domain.h>
 #include <caudal/viscous/operators.h>
+#include <caudal/viscous/size_check.h>
 
 namespace caudal
 {
+  namespace
+  {
+    template <int dim>
+    Bodies<dim> make_bodies(const RunParameters<dim> &parameters, const MPI_Comm communicator)
+    {
+      check_sizes(parameters, communicator);
+      Bodies<dim> bodies;
+      for (const auto &body : parameters.bodies)
+        bodies.push_back(std::make_unique<Body<dim>>(*body, parameters.fluid.density));
+      check_fluid_size(parameters, bodies, communicator);
+      return bodies;
+    }
+  } // namespace
+
   template <int dim>
   Operators<dim>::Operators(const RunParameters<dim> &parameters, const MPI_Comm communicator)
       : parameters(parameters)
       , communicator(communicator)
       , lattice(parameters.domain)
       , coupling(parameters.coupling)
+      , bodies(make_bodies(parameters, communicator))
+      , scales(estimate_scales(parameters, bodies))
       , triangulation(communicator)
-      , space(triangulation, parameters.domain, parameters.fluid)
+      , space(triangulation, parameters.domain, parameters.fluid,
+              parameters.fluid.get_grad_div().value_or(scales.get_grad_div()))
       , momentum(space)
       , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
       , solver(parameters.solver, space, momentum, timer)
   {
-    for (const auto &body : parameters.bodies)
-      bodies.push_back(std::make_unique<Body<dim>>(*body, parameters.fluid.density));
     make_domain(triangulation, parameters.domain);
     AssertThrow(
         triangulation.n_global_active_cells() >= Utilities::MPI::n_mpi_processes(communicator),
@@ -53,11 +69,8 @@ namespace caudal
   template <int dim>
   double Operators<dim>::get_augmentation(const double inertia) const
   {
-    const Tensor<1, dim> &size     = parameters.domain.size;
-    double                smallest = size[0];
-    for (unsigned int d = 1; d < dim; ++d)
-      smallest = std::min(smallest, size[d]);
-    return parameters.solver.augmentation * inertia * smallest * smallest;
+    const double side = parameters.domain.get_shortest_side();
+    return parameters.solver.augmentation * inertia * side * side;
   }
 
   template <int dim>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/viscous/parameters.h>
 
 #include <set>
@@ -7,12 +8,14 @@ namespace caudal
 {
   namespace
   {
-    /** The names of a comma-separated list; throws on doubles. */
+    /** The names of a comma-separated list; throws on doubles and on what is no name. */
     std::vector<std::string> split_names(const std::string &path, const std::string &text)
     {
       const std::vector<std::string> names = Utilities::split_string_list(text);
       AssertThrow(std::set<std::string>(names.begin(), names.end()).size() == names.size(),
                   ExcMessage(path + ": a name stands twice in <" + text + ">. Give each its own."));
+      for (const std::string &name : names)
+        check_name(path, name);
       return names;
     }
   } // namespace

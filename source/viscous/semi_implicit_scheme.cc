@@ -74,7 +74,7 @@ namespace caudal
         point.rate                 = weights.derivative[0];
         point.weights.inertia      = parameters.density * point.rate;
         point.weights.viscosity    = parameters.get_viscosity();
-        point.weights.grad_div     = parameters.density * parameters.grad_div;
+        point.weights.grad_div     = parameters.density * operators.space.get_grad_div();
         point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
         point.transport            = state.fluid.velocity;
         point.transport.sadd(weights.extrapolation[0], weights.extrapolation[1],

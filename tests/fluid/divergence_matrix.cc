@@ -43,7 +43,7 @@ namespace
       if (cell->is_locally_owned() && cell->center()[0] < 0.5)
         cell->set_refine_flag();
     triangulation.execute_coarsening_and_refinement();
-    FluidSpace<dim> space(triangulation, domain, fluid);
+    FluidSpace<dim> space(triangulation, domain, fluid, /*grad_div=*/1);
     space.reinit();
     AffineConstraints<double> hanging_nodes = compatibility::make_constraints(
         space.velocity_dofs.locally_owned_dofs(),

@@ -320,7 +320,7 @@ namespace
           cell->set_refine_flag();
       triangulation.execute_coarsening_and_refinement();
     }
-    FluidSpace<dim> space(triangulation, domain, parameters);
+    FluidSpace<dim> space(triangulation, domain, parameters, /*grad_div=*/1);
     space.reinit();
     MomentumOperator<dim> momentum(space);
     momentum.reinit();

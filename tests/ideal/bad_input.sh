@@ -44,7 +44,7 @@ override "Body fish/Density" -1
 override "Time/End time" 0
 override "Time/Step" -1
 override "Integration/Tolerance" 0
-override "Resistance/Drag coefficient" -1
+override "Resistance/Cross-flow coefficient" -1
 override "Surface/Cells along" 0
 override "Surface/Cells across" 100
 

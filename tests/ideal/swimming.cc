@@ -59,9 +59,11 @@ struct Swimmer
 
   // Where the nose is after some strokes from rest [m].
   Tensor<1, 3> swim(const double frequency, const unsigned int n_strokes,
-                    StrokeModel *model = nullptr, const unsigned int steps = 0)
+                    StrokeModel *model = nullptr, const unsigned int steps = 0,
+                    const ResistanceParameters &resistance = {})
   {
     MotionProblem problem;
+    problem.force      = create_resistance(resistance, swimming_shape);
     problem.model      = model != nullptr ? model : &table;
     problem.rate       = 2. * numbers::PI * frequency;
     problem.length     = body.deformation->get_length();
@@ -216,6 +218,37 @@ void check_load(const ExternalForce &force, const std::vector<double> &rates)
             << below(std::abs(by_v / by_rate - 1.), 1e-4) << std::endl;
 }
 
+// The two forces on a sphere that is towed, by integration of the formulas over its surface, and
+// what they do to a salmon: friction slows it down, the cross-flow force drives it.
+void check_friction_and_cross_flow()
+{
+  const double R = 0.05, u = 0.3, rho = 1000.;
+  Swimmer      sphere({8, 8}, {{"Type", "ellipsoid"}, {"Ellipsoid/Axes", "0.05, 0.05, 0.05"}},
+                      {{"Type", "sine"}, {"Sine/Amplitude", "0"}}, 4);
+  ResistanceParameters friction, cross_flow;
+  friction.active = cross_flow.active = true;
+  friction.friction                   = 0.01;
+  cross_flow.friction                 = 1e-12; // as 0 asks for Blasius's law
+  cross_flow.drag                     = 1.;
+  const auto compute_drag             = [&](const ResistanceParameters &resistance) {
+    const ExternalForce force = create_resistance(resistance, sphere.swimming_shape);
+    return -force({0., 0., Screw({0., 0., 0., u, 0., 0.})}).screw[3];
+  };
+  const double dynamic = 0.5 * rho * u * u * R * R, pi = numbers::PI;
+  std::cout << std::fixed << std::setprecision(2) << "towed sphere, over the exact force: friction "
+            << compute_drag(friction) / (0.75 * pi * pi * 0.01 * dynamic) << ", cross-flow "
+            << compute_drag(cross_flow) / (pi * dynamic) << std::endl;
+
+  Swimmer    fish({4, 3}, {{"Stations/Table", salmon}}, {}, 32);
+  const auto swim = [&](const ResistanceParameters &resistance) {
+    return fish.swim(1., 10, nullptr, 0, resistance).norm();
+  };
+  const double none = swim({});
+  std::cout << "salmon, distance over that without resistance: with friction "
+            << swim(friction) / none << ", with the cross-flow force " << swim(cross_flow) / none
+            << std::defaultfloat << std::setprecision(6) << std::endl;
+}
+
 // With a push at the start and with resistance: the work of joints and external forces is the
 // change of the kinetic energy; torques of the table are those of new surfaces.
 void check_torques_in_motion()
@@ -334,6 +367,7 @@ int main(int argc, char **argv)
   check_bent_spheroid();
   check_strokes();
   check_energy_and_table();
+  check_friction_and_cross_flow();
   check_torques_in_motion();
   check_free_ellipsoid();
 }

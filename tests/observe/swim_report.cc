@@ -45,9 +45,15 @@ namespace
       const double t     = step * i;
       const double phase = 4 * M_PI * t / T;
       SwimSample   sample;
-      sample.time             = t;
-      sample.tail_position    = -0.1 * std::sin(phase / 2);
+      sample.time = t;
+      // The fish swims at an angle of 0.5 to its axis and yaws: seen from its head, the tail swings
+      // 2.5 times as far as from the path.
+      sample.tail_position    = -0.25 * std::sin(phase / 2);
       sample.forward_position = 2 * (t + (std::exp(-3 * t) - 1) / 3);
+      const Tensor<1, 2> path = Point<2>(std::cos(0.5), std::sin(0.5));
+      const Tensor<1, 2> side = Point<2>(-path[1], path[0]);
+      sample.centre           = 2 * t * path;
+      sample.tail             = sample.centre - 0.5 * path - 0.1 * std::sin(phase / 2) * side;
       sample.muscle_work      = 50 * (t + T / (4 * M_PI) * std::sin(phase));
       sample.forward_momentum = 80 * (2 * (1 - std::exp(-3 * t)) + 0.01 * std::sin(phase)) + 3 * t;
       sample.body_impulse     = 3 * t;

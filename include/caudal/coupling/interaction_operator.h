@@ -17,7 +17,8 @@ namespace caudal
   struct CouplingParameters
   {
     Choice<DeltaKernel> kernel{"Kernel", "dirac", "Regularised delta function:"};
-    double              quadrature_density = 1.5;
+    double              quadrature_density       = 1.5;
+    bool                accept_unresolved_bodies = false;
 
     void add_parameters(ParameterHandler &prm);
     void check() const;

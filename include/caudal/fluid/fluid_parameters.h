@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace caudal
   {
     double      density                  = 1000;
     double      kinematic_viscosity      = 1e-6;
-    double      grad_div                 = 1;
+    std::string grad_div                 = "automatic";
     double      convection_stabilisation = 0.1;
     bool        backflow_stabilisation   = true;
     std::string initial_velocity;
@@ -35,6 +36,9 @@ namespace caudal
     {
       return density * kinematic_viscosity;
     }
+    /** The coefficient of the grad-div term [m^2/s], unless it is left to the program. */
+    std::optional<double> get_grad_div() const;
+
     bool has_body_force() const;
 
     /** The conditions on the sides, by boundary id. */

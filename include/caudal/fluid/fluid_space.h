@@ -25,8 +25,10 @@ namespace caudal
   class FluidSpace
   {
   public:
+    /** @p grad_div is the coefficient of the grad-div term [m^2/s]. */
     FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
-               const DomainParameters<dim> &domain, const FluidParameters<dim> &parameters);
+               const DomainParameters<dim> &domain, const FluidParameters<dim> &parameters,
+               double grad_div);
 
     /** To be called after each change of the grid. */
     void reinit();
@@ -54,6 +56,11 @@ namespace caudal
     const FluidParameters<dim> &get_parameters() const
     {
       return parameters;
+    }
+
+    double get_grad_div() const
+    {
+      return grad_div;
     }
 
     /** The condition on the side of the domain with this boundary id. */
@@ -103,6 +110,7 @@ namespace caudal
   private:
     parallel::distributed::Triangulation<dim> &triangulation;
     const FluidParameters<dim>                &parameters;
+    const double                               grad_div;
     const Tensor<1, dim>                       domain_size;
 
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;

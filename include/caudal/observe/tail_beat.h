@@ -5,11 +5,15 @@
 #include <caudal/observe/energy_ledger.h>
 #include <caudal/observe/tail_cycle.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <string>
 #include <vector>
 
 namespace caudal
 {
+  using namespace dealii;
+
   /** What does not change while the fish swims; per metre of span in 2D. */
   struct SwimmerConstants
   {
@@ -28,19 +32,20 @@ namespace caudal
   struct SwimSample
   {
     double       time;                 // [s]
-    double       tail_position;        // lateral, of the monitored point [m]
+    double       tail_position;        // lateral, of the monitored point as the muscle sees it [m]
     double       forward_position;     // of the centre of mass, along the swimming direction [m]
     double       muscle_work;          // since the start [J/m]
     double       forward_momentum = 0; // m v [kg m/s per m]
     double       body_impulse     = 0; // of muscle and feedback on the body, forward [N s/m]
     double       fluid_impulse    = 0; // of the fluid, by the control volume, forward [N s/m]
     EnergyLedger ledger           = {};
+    Tensor<1, 2> tail, centre; // of the monitored point and of mass: forward, lateral [m]
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &time &tail_position &forward_position         &muscle_work;
-      archive &forward_momentum &body_impulse &fluid_impulse &ledger;
+      archive &time &tail_position &forward_position                       &muscle_work;
+      archive &forward_momentum &body_impulse &fluid_impulse &ledger &tail &centre;
     }
   };
 
@@ -71,9 +76,10 @@ namespace caudal
     double momentum_rate = 0, body_force = 0, fluid_force = 0, thrust = 0, drag = 0;
     double froude_efficiency = 0, towing_power = 0, quasi_propulsive = 0;
     double muscle_work = 0, kinetic_energy = 0, elastic_energy = 0, dissipation = 0;
-    double numerical_dissipation = 0, feedback = 0, external_work = 0, residual = 0;
-    double change = 0; // [%]
-    double steady = 0; // 1 or 0
+    double numerical_dissipation = 0, numerical_share = 0, feedback = 0, external_work = 0,
+           residual = 0;
+    double change   = 0; // [%]
+    double steady   = 0; // 1 or 0
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)

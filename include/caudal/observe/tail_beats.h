@@ -23,7 +23,7 @@ namespace caudal
     void observe_step(const Observation<dim> &, const ObserverContext<dim> &) override;
     void finish(const Observation<dim> &, const ObserverContext<dim> &) override;
     void exchange_state(StateArchive &archive) override;
-    void resume(const ObserverContext<dim> &) override;
+    void resume(const Observation<dim> &, const ObserverContext<dim> &) override;
 
     /** Period of the last beat of the first body that has made one [s]; 0 if there is none. */
     double get_last_period() const;

@@ -76,6 +76,15 @@ namespace caudal
     /** Whether a muscle or a gait moves it. */
     bool swims() const;
 
+    /** Whether it moves along its axis, from the nose on: as fish do, unlike a ring of fibres. */
+    bool undulates() const
+    {
+      return swims() && counts_from_nose();
+    }
+
+    /** Throws a sentence if the tables of muscle or gait end before @p end_time [s]. */
+    void check_until(double end_time) const;
+
     /** At rest in the reference configuration, where the parameters have placed it. */
     BodyState make_initial_state() const;
 
@@ -106,6 +115,11 @@ namespace caudal
 
     /** Lateral position of the muscle's monitored point, as the muscle is told [m]. */
     double get_lateral_position(const BodyState &state) const;
+    /** Position of the muscle's monitored point, in the domain's frame [m]. */
+    Tensor<1, dim> get_monitored_position(const BodyState &state) const
+    {
+      return solid.evaluate(state.positions, lateral_point);
+    }
     /** Velocity of the centre of mass [m/s]. */
     Tensor<1, dim> get_mean_velocity(const BodyState &state) const
     {

@@ -69,6 +69,15 @@ namespace caudal
     }
 
     /**
+     * A sentence on how the material differs within a fluid, whose pressure keeps its volume, from
+     * itself elsewhere; empty if it does not.
+     */
+    virtual std::string get_immersed_remark() const
+    {
+      return "";
+    }
+
+    /**
      * Stress per strain of the fastest elastic wave in the undeformed body [Pa], to estimate steps:
      * here dP_xx/dF_xx at the origin of the body's frame.
      */

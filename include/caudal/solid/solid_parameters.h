@@ -27,6 +27,12 @@ namespace caudal
     /** The material with its thin direction and its stabilisation. */
     std::unique_ptr<Material<dim>> create(const std::string &path) const;
 
+    /** Material::get_immersed_remark() */
+    std::string get_immersed_remark(const std::string &path) const
+    {
+      return create_bare(path)->get_immersed_remark();
+    }
+
     /** Material::get_wave_modulus(), with the stabilisation. */
     double get_wave_modulus(const std::string &path) const;
 

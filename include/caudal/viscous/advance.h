@@ -22,15 +22,21 @@ namespace caudal
   class StepFailure : public std::runtime_error
   {
   public:
-    StepFailure(const std::string &reason, const std::string &advice,
+    enum class Kind
+    {
+      not_converged,
+      inverted_element,
+      not_finite
+    };
+
+    StepFailure(const std::string &reason, const Kind kind,
                 const std::vector<BodyState> &trial_bodies)
         : std::runtime_error(reason)
-        , advice(advice)
+        , kind(kind)
         , trial_bodies(trial_bodies)
     {}
 
-    /** The likely cause, and what to change. */
-    const std::string advice;
+    const Kind kind;
     /** What the failed step has made of the bodies, of the first of them or of none. */
     const std::vector<BodyState> trial_bodies;
   };

@@ -2,7 +2,7 @@
 #ifndef caudal_viscous_case_check_h
 #define caudal_viscous_case_check_h
 
-#include <caudal/viscous/operators.h>
+#include <caudal/viscous/body_resolution.h>
 
 namespace caudal
 {
@@ -36,18 +36,18 @@ namespace caudal
     /** How a body lies on the fluid's grid and in the domain. */
     struct BodyOnGrid
     {
-      const Body<dim>    &body;
-      std::string         path;
-      std::vector<double> thickness;            // of the regions at their thinnest [m]
-      double              spacing_ratio    = 0; // of its nodes to the finest fluid cells
-      double              room_ahead       = 0; // to the side that it swims to [m]
-      double              nearest_side     = 0; // [m]
-      double              wave_speed       = 0; // of the fastest elastic waves [m/s]
-      double              spring_frequency = 0; // of its feedback springs [rad/s]
+      const Body<dim>         &body;
+      std::string              path;
+      BodyResolution           resolution;
+      double                   room_ahead       = 0;  // to the side that it swims to [m]
+      double                   nearest_side     = 0;  // [m]
+      double                   wave_speed       = 0;  // of the fastest elastic waves [m/s]
+      double                   spring_frequency = 0;  // of its feedback springs [rad/s]
+      std::vector<std::string> remarks          = {}; // on its materials
 
       bool swims() const
       {
-        return body.swims() && body.counts_from_nose();
+        return body.undulates();
       }
       const std::vector<std::string> &get_regions() const
       {
@@ -56,6 +56,8 @@ namespace caudal
     };
 
     const RunParameters<dim> &parameters;
+    const FlowScales          scales;
+    const double              grad_div; // [m^2/s]
     const double              n_cells;
     const double              cell_size, kernel_width; // on the finest level [m]
     std::vector<BodyOnGrid>   bodies;
@@ -65,6 +67,10 @@ namespace caudal
     void       add_thickness_warnings(std::vector<std::string> &warnings) const;
     void       add_domain_warnings(std::vector<std::string> &warnings) const;
     void       add_wake_warnings(std::vector<std::string> &warnings) const;
+    void       add_flow_warnings(std::vector<std::string> &warnings) const;
+    void       add_body_warnings(std::vector<std::string> &warnings) const;
+    bool       is_symmetric(const SolidBody<dim> &solid) const;
+    double     get_boundary_layer() const; // [m]
     double     get_explicit_limit() const; // [s]
   };
 } // namespace caudal

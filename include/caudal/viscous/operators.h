@@ -3,7 +3,7 @@
 #define caudal_viscous_operators_h
 
 #include <caudal/viscous/coupled_solver.h>
-#include <caudal/viscous/parameters.h>
+#include <caudal/viscous/flow_scales.h>
 
 namespace caudal
 {
@@ -34,16 +34,17 @@ namespace caudal
 
     BoundingBox<dim> get_domain() const;
 
-    const RunParameters<dim>                     &parameters;
-    const MPI_Comm                                communicator;
-    const CellLattice<dim>                        lattice;
-    const Coupling                                coupling;
-    std::vector<std::unique_ptr<const Body<dim>>> bodies;
-    parallel::distributed::Triangulation<dim>     triangulation;
-    FluidSpace<dim>                               space;
-    MomentumOperator<dim>                         momentum;
-    mutable TimerOutput                           timer; // of rank 0
-    CoupledSolver<dim>                            solver;
+    const RunParameters<dim>                 &parameters;
+    const MPI_Comm                            communicator;
+    const CellLattice<dim>                    lattice;
+    const Coupling                            coupling;
+    const Bodies<dim>                         bodies;
+    const FlowScales                          scales;
+    parallel::distributed::Triangulation<dim> triangulation;
+    FluidSpace<dim>                           space;
+    MomentumOperator<dim>                     momentum;
+    mutable TimerOutput                       timer; // of rank 0
+    CoupledSolver<dim>                        solver;
 
   private:
     std::unique_ptr<const FinestCells<dim>> finest_cells;

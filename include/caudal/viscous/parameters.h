@@ -24,9 +24,9 @@ namespace caudal
      * can't change in the middle of a run, as a regular expression.
      */
     static constexpr const char *fixed_entries =
-        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Probes|Fluid/Control volume|"
-        "Fluid/Exact solution|Output/Format|Body [^/]*/(Regions|Polynomial degree|"
-        "Monitored points|Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)";
+        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Control volume|"
+        "Fluid/Exact solution|Body [^/]*/(Regions|Polynomial degree|"
+        "Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)";
 
     std::string  model     = "immersed";
     unsigned int dimension = dim;

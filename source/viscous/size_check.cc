@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/memory.h>
+#include <caudal/viscous/size_check.h>
+
+#include <functional>
+#include <iomanip>
+#include <numeric>
+
+namespace caudal
+{
+  namespace
+  {
+    // Bytes that a cell takes at least: of the fluid in the plane, half of what prm/fish_paper.prm
+    // and Turek and Hron's benchmark take; in space and for bodies, of grids and vectors alone.
+    constexpr double bytes_of_coarse_cell = 1000, bytes_of_body_cell = 2000;
+    template <int dim>
+    constexpr double bytes_of_cell = dim == 2 ? 12000 : 30000;
+
+    std::string print_number(const double number)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3) << number;
+      return text.str();
+    }
+  } // namespace
+
+  template <int dim>
+  void check_sizes(const RunParameters<dim> &parameters, const MPI_Comm communicator)
+  {
+    const auto count = [](const std::vector<unsigned int> &numbers) {
+      return std::accumulate(numbers.begin(), numbers.end(), 1., std::multiplies<double>());
+    };
+    const double n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
+    const double n_coarse = count(parameters.domain.cells);
+    // Each rank has all of them.
+    check_memory(communicator, n_coarse * bytes_of_coarse_cell * n_ranks,
+                 "Domain/Cells: the coarse grid has " + print_number(n_coarse) + " cells",
+                 "Give fewer, and more Domain/Levels where they are needed.");
+    for (const auto &body : parameters.bodies)
+    {
+      const double n = count(body->solid.grid.divisions.elements);
+      check_memory(communicator, n * bytes_of_body_cell * n_ranks,
+                   body->solid.get_path() + "/Shape/Elements: there are " + print_number(n),
+                   "Give fewer.");
+    }
+  }
+
+  template <int dim>
+  void check_fluid_size(const RunParameters<dim> &parameters, const Bodies<dim> &bodies,
+                        const MPI_Comm communicator)
+  {
+    double     cell = 1, n_cells = 0;
+    const auto edges = parameters.domain.get_cell_size(parameters.domain.get_finest_level());
+    for (unsigned int d = 0; d < dim; ++d)
+      cell *= edges[d];
+    for (const auto &body : bodies)
+      n_cells += body->get_solid().get_reference_volume() / cell;
+    check_memory(communicator, n_cells * bytes_of_cell<dim>,
+                 "Domain/Levels: " + std::to_string(parameters.domain.levels) + " ask for " +
+                     print_number(n_cells) + " cells in the bodies",
+                 "Give fewer levels or fewer Domain/Cells.");
+  }
+
+#define INSTANTIATE(dim)                                                                           \
+  template void check_sizes(const RunParameters<dim> &, MPI_Comm);                                 \
+  template void check_fluid_size(const RunParameters<dim> &, const Bodies<dim> &, MPI_Comm);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace caudal
