@@ -29,7 +29,7 @@ set(_share ${CMAKE_INSTALL_DATADIR}/caudal)
 foreach(_script swim plot report paraview salmon benchmark)
   install(PROGRAMS scripts/${_script} DESTINATION ${_share}/scripts)
 endforeach()
-install(FILES scripts/environment DESTINATION ${_share}/scripts)
+install(FILES scripts/environment scripts/caudal_setup.py DESTINATION ${_share}/scripts)
 install(DIRECTORY scripts/benchmarks DESTINATION ${_share}/scripts USE_SOURCE_PERMISSIONS)
 foreach(_python benchmarks paraview plots report salmon)
   install(DIRECTORY scripts/caudal_${_python} DESTINATION ${_share}/scripts

@@ -121,6 +121,16 @@ def find_stagnation(run):
     return math.nan
 
 
+def evaluate_flap(runs):
+    """The mean time from one maximum of the tip's deflection to the next."""
+    run = runs[0]
+    x = run.get("flap: x of point 1")
+    maxima = [run.time[i] for i in range(1, len(x) - 1) if x[i - 1] < x[i] >= x[i + 1]]
+    period = (maxima[-1] - maxima[0]) / (len(maxima) - 1)
+    return [Figure("period [s]", period, 1.625, 0.02),
+            Figure("largest deflection [m]", x.max())]
+
+
 def evaluate_soft_disc(runs):
     """The extremes of the centroid's path, Sugiyama et al. 2011."""
     run = runs[0]
@@ -293,6 +303,8 @@ CASES = {case.name: case for case in (
          plot=studies.plot_grid_and_step),
     Case("fsi3_kernels", "FSI3 on a coarse grid with each kernel", "60 min",
          studies.evaluate_kernels, studies.KERNEL_VARIANTS, file="fsi3"),
+    Case("flap", "flap on the floor, of a compressible material", "30 s", evaluate_flap,
+         curves=("flap: x of point 1",)),
     Case("cook", "Cook's membrane in a box of fluid", "3.5 min", evaluate_cook,
          curves=("panel: y of point 1", "panel: min J", "panel: max J")),
     Case("eel", "self-propelled eel on three grids", "8 min", evaluate_eel,

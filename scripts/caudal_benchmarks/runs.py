@@ -39,7 +39,8 @@ def run(prm, folder, overrides=(), ranks=1):
     stamp, fingerprint = folder / "fingerprint.txt", get_fingerprint(prm, overrides)
     if stamp.is_file() and stamp.read_text(encoding="utf-8").split()[0] == fingerprint:
         return Run(folder)
-    command = [*get_mpirun(ranks), str(PROGRAM), prm, "-D", f"Output/Folder={folder}"]
+    command = [*get_mpirun(ranks), str(PROGRAM), prm, "-D", f"Output/Folder={folder}",
+               "-D", "Output/Existing results=replace"]
     for override in overrides:
         command += ["-D", override]
     begin = time.time()

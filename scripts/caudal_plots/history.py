@@ -84,6 +84,7 @@ def draw_energy(run):
               ("kinetic", kinetic - kinetic[0], {}),
               ("elastic", get_sum("elastic energy"), {}),
               ("dissipation", run.get("dissipation"), {}),
+              ("of it numerical", run.get("numerical dissipation"), dict(linestyle=":")),
               ("feedback", -get_sum("feedback work"), {}),
               ("external", run.get("external work"), {}),
               ("residual", run.get("energy residual"), dict(color="0.4", linestyle="--")))

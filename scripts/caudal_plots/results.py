@@ -2,6 +2,7 @@
 """What a run has written: its statistics by column name, its fields by time."""
 
 import functools
+import json
 import pathlib
 import re
 import xml.etree.ElementTree as xml
@@ -56,29 +57,16 @@ class Run:
         return list(names)
 
     def get_last_beat(self):
-        """Start and end [s] of the last whole tail beat of the first body.
-
-        The tail's lateral position relative to the centre of mass rises through
-        its mean at both ends. What the second half of the run does decides on
-        the mean and on the least swing that counts.
-        """
+        """Start and end [s] of the last whole tail beat of the first body, from its swim.json."""
         body = self.bodies[0]
-        tail = self.get(f"{body}: y of point 2") - self.get(f"{body}: y of centre of mass")
-        late = tail[len(tail) // 2:]
-        mean, least = (late.max() + late.min()) / 2, 0.2 * np.ptp(late)
-        starts, is_low = [], False
-        for i in range(1, len(tail)):
-            if is_low and tail[i - 1] < mean <= tail[i]:
-                weight = (mean - tail[i - 1]) / (tail[i] - tail[i - 1])
-                rise = self.time[i - 1] + weight * (self.time[i] - self.time[i - 1])
-            if tail[i] < mean - least:
-                is_low = True
-            elif is_low and tail[i] > mean + least:
-                is_low = False
-                starts.append(rise)
-        if len(starts) < 2:
+        name = "swim.json" if len(self.bodies) == 1 else f"swim_{body}.json"
+        try:
+            beats = json.loads((self.folder / name).read_text(encoding="utf-8"))["beats"]
+        except (OSError, ValueError, KeyError):
+            beats = []
+        if not beats:
             raise MissingData(f"The tail of {body} has made no whole beat yet.")
-        return starts[-2], starts[-1]
+        return beats[-1]["start"], beats[-1]["start"] + beats[-1]["period"]
 
     # Fields
 

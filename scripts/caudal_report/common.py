@@ -75,10 +75,9 @@ def make_parameters(entries, folder):
 
 def make_state(log):
     """How the run ended, and what made it."""
-    return f"{get_end(log)}; {log.banner[0] if log.banner else 'unknown version'}"
+    doubt = "RESULTS MEAN NOTHING, see the warnings; " if log.means_nothing else ""
+    return f"{doubt}{get_end(log)}; {log.banner[0] if log.banner else 'unknown version'}"
 
 
 def get_end(log):
-    if log.is_finished:
-        return "finished"
-    return "stopped on request" if log.costs else "not finished: this is what it has so far"
+    return log.end or "not finished: this is what it has so far"

@@ -30,6 +30,10 @@ def read_parameters(folder):
     return entries
 
 
+# The beginning of the paragraph of the costs, the last of a run.
+COSTS = r"\d+ steps in |CPU of rank 0"
+
+
 class Log:
     """log.txt in parts: head, warnings, sizes, the last state and where the time went."""
 
@@ -52,16 +56,25 @@ class Log:
         return list(counts.items())
 
     @property
-    def is_finished(self):
-        """Whether the run came to its end by itself."""
-        return self.costs is not None and not any(line.startswith("Stopped on request")
-                                                  for line in self.lines)
+    def means_nothing(self):
+        """Whether the program says that a body is far too thin for the grid."""
+        return any("RESULTS MEAN NOTHING" in line for line in self.lines)
+
+    @property
+    def end(self):
+        """How the run, or its last part if it was resumed, came to its end; None if it did not."""
+        resumptions = [i for i, line in enumerate(self.lines) if line.startswith("Resumed from")]
+        last_part = self.lines[resumptions[-1]:] if resumptions else self.lines
+        for line in last_part:
+            if stop := re.match(r"Stopped (on request|by \S+ .* limit)", line):
+                return "stopped " + stop[1]
+        return "finished" if any(re.match(COSTS, line) for line in last_part) else None
 
     @property
     def costs(self):
         """The paragraph of the costs, or None while the run goes on."""
         for line in reversed(self.lines):
-            if re.match(r"\d+ steps in |CPU of rank 0", line):
+            if re.match(COSTS, line):
                 return line
         return None
 

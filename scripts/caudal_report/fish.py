@@ -115,7 +115,10 @@ def get_ledger(run):
 
 def make_ledger_section(run, report, reports):
     t, ledger = run.time, get_ledger(run)
-    curves = make_curves(t, ledger)
+    listed = list(ledger)
+    if "numerical dissipation [J/m]" in run.columns:
+        listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
+    curves = make_curves(t, listed)
     curves[0].update(color="#000000", width=2.2)
     curves[-1].update(color=GREY, dash=DASHED)
     charts = [make_chart("Energy since the start", TIME, "energy [J/m]", curves, group="time",
@@ -123,9 +126,6 @@ def make_ledger_section(run, report, reports):
               make_chart("Residual of the ledger", TIME, "residual [J/m]",
                          [make_curve("residual", t, ledger[-1][1], GREY)], group="time", zero=True)]
     work = ledger[0][1][-1]
-    listed = list(ledger)
-    if "numerical dissipation [J/m]" in run.columns:
-        listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
     rows = [(page.escape(name), page.format_number(values[-1]),
              page.format_number(100 * values[-1] / work if work else None, 3))
             for name, values in listed]
@@ -171,9 +171,17 @@ def make_school_section(reports, folder):
     if len(lone) != 1:
         raise MissingData(f"--lone {folder}: {len(lone)} fish with whole tail beats there. Give the "
                           "folder of a run of one fish.")
+    for report in reports:
+        for name, value in report["constants"].items():
+            if value != lone[0]["constants"].get(name):
+                raise MissingData(f"--lone {folder}: the {name} there is not that of "
+                                  f"{report['body']}. Give the run of an equal fish.")
+    unsteady = [report["body"] for report in [lone[0], *reports] if not report["steady beats"]]
     return tables.make_school_table(reports, lone[0]) + page.make_note(
         f"In brackets: gain over the lone fish of {page.escape(str(folder))}. Means of the steady "
-        "beats; without any, the last beat.")
+        "beats; without any, the last beat."
+        + (f" <b>Not steady: {page.escape(', '.join(dict.fromkeys(unsteady)))}.</b>"
+           if unsteady else ""))
 
 
 def describe(folder, n_frames, with_pictures, lone=None):
@@ -185,7 +193,7 @@ def describe(folder, n_frames, with_pictures, lone=None):
     plane = dict((entry, value) for section, entry, value, _ in entries if not section
                  ).get("Dimension", "2") == "2"
     report = page.Page(f"Caudal: {names}",
-                       f"Immersed elastic swimmer, {folder.resolve().name}: t = 0 to {end:g} s, "
+                       f"Immersed elastic swimmer, {page.escape(folder.resolve().name)}: t = 0 to {end:g} s, "
                        f"{common.make_state(log)}."
                        + (f" <b>{SPAN}</b>" if plane else ""))
     report.add("Swimming", make_swim_section(reports))

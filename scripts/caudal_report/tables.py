@@ -9,7 +9,7 @@ from . import page
 
 # Of the quantities of swim.json, in this order.
 TILES = ("speed", "speed in lengths", "period", "amplitude", "Strouhal number", "Reynolds number",
-         "power", "cost of transport")
+         "power", "cost of transport", "numerical share")
 COMPARED = ("speed", "frequency", "amplitude", "Strouhal number", "power", "cost of transport")
 BEAT_COLUMNS = ("start", "period", "frequency", "amplitude", "speed", "speed in lengths",
                 "Strouhal number", "power", "peak power", "cost of transport", "thrust", "drag",

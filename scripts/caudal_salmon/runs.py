@@ -19,7 +19,8 @@ class RunError(Exception):
 def run(case, folder, overrides=(), is_done=None):
     """Runs a case into a folder, unless it holds that very run. Returns s of CPU, or None."""
     folder = pathlib.Path(folder)
-    command = [str(PROGRAM), str(case), "-D", f"Output/Folder={folder}"]
+    command = [str(PROGRAM), str(case), "-D", f"Output/Folder={folder}",
+               "-D", "Output/Existing results=replace"]
     for override in overrides:
         command += ["-D", override]
     note = "\n".join(command[1:]) + "\n" + pathlib.Path(case).read_text()
