@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/declared_parameters.h>
 #include <caudal/base/parameter_file.h>
+#include <caudal/base/parameter_text.h>
 #include <caudal/base/plugin.h>
 #include <caudal/base/safe_file.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <optional>
@@ -18,62 +18,8 @@ namespace caudal
 {
   namespace
   {
-    const char *const blanks = " \t";
-
     /** The deepest includes: more of them are a mistake. */
     constexpr std::size_t largest_depth = 50;
-
-    /** Removes the blanks at both ends. */
-    std::string trim(const std::string &text)
-    {
-      const std::size_t begin = text.find_first_not_of(blanks);
-      return begin == std::string::npos
-                 ? ""
-                 : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-    }
-
-    /** A name, in which repeated blanks count as one. */
-    std::string tidy_name(const std::string &text)
-    {
-      std::istringstream words(text);
-      std::string        name, word;
-      while (words >> word)
-        name += (name.empty() ? "" : " ") + word;
-      return name;
-    }
-
-    /** Where a comment begins in @p text: at a '#' at its start or behind a blank. */
-    std::size_t find_comment(const std::string &text)
-    {
-      std::size_t hash = text.find('#');
-      while (hash != std::string::npos && hash > 0 && text[hash - 1] != ' ' &&
-             text[hash - 1] != '\t')
-        hash = text.find('#', hash + 1);
-      return hash;
-    }
-
-    /**
-     * Reads the next line that is not empty, with its continuations and without comments, and
-     * counts the lines: @p number is that of the first of them.
-     */
-    bool read_line(std::istream &stream, std::string &line, unsigned int &number,
-                   unsigned int &next)
-    {
-      std::string raw_line;
-      line.clear();
-      while (line.empty() && std::getline(stream, raw_line))
-      {
-        number = next++;
-        line   = trim(raw_line.substr(0, find_comment(raw_line)));
-        while (!line.empty() && line.back() == '\\' && std::getline(stream, raw_line))
-        {
-          ++next;
-          line.pop_back();
-          line = trim(trim(line) + " " + trim(raw_line.substr(0, find_comment(raw_line))));
-        }
-      }
-      return !line.empty();
-    }
 
     std::string join(const std::vector<std::string> &names, const std::string &separator)
     {
@@ -197,25 +143,6 @@ namespace caudal
         return name == get_plugin_section(is_prefix ? choice.name + " " + plugin : plugin);
       });
       return found == plugins.end() ? "" : *found;
-    }
-
-    /** The text with whole numbers like 1e5 or 2.5e3 written out. */
-    std::string write_out_whole_numbers(const std::string &text)
-    {
-      static const std::regex scientific(R"(\d+(\.\d*)?[eE]\+?\d+)");
-      std::string             result;
-      std::size_t             end = 0;
-      for (std::sregex_iterator match(text.begin(), text.end(), scientific), last; match != last;
-           ++match)
-      {
-        const double number = std::stod(match->str());
-        result += text.substr(end, match->position() - end);
-        result += number == std::floor(number) && number < 1e15
-                      ? std::to_string(static_cast<long long>(number))
-                      : match->str();
-        end = match->position() + match->length();
-      }
-      return result + text.substr(end);
     }
 
     /**
@@ -457,7 +384,7 @@ namespace caudal
     while (read_line(stream, line, number, next_number))
     {
       const std::string origin   = file + ":" + std::to_string(number);
-      const std::size_t blank    = line.find_first_of(blanks);
+      const std::size_t blank    = line.find_first_of(" \t");
       const std::string keyword  = line.substr(0, blank);
       const std::string argument = blank == std::string::npos ? "" : trim(line.substr(blank));
       const std::size_t equals   = argument.find('=');

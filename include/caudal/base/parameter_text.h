@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef caudal_base_parameter_text_h
+#define caudal_base_parameter_text_h
+
+#include <istream>
+#include <string>
+
+namespace caudal
+{
+  /** Removes the blanks at both ends. */
+  std::string trim(const std::string &text);
+
+  /** A name, in which repeated blanks count as one. */
+  std::string tidy_name(const std::string &text);
+
+  /** Where a comment begins in @p text: at a '#' at its start or behind a blank. */
+  std::size_t find_comment(const std::string &text);
+
+  /**
+   * Reads the next line that is not empty, with its continuations and without comments, and
+   * counts the lines: @p number is that of the first of them.
+   */
+  bool read_line(std::istream &stream, std::string &line, unsigned int &number, unsigned int &next);
+
+  /** The text with whole numbers like 1e5 or 2.5e3 written out. */
+  std::string write_out_whole_numbers(const std::string &text);
+} // namespace caudal
+
+#endif

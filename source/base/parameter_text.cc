@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/parameter_text.h>
+
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+namespace caudal
+{
+  namespace
+  {
+    const char *const blanks = " \t";
+  }
+
+  std::string trim(const std::string &text)
+  {
+    const std::size_t begin = text.find_first_not_of(blanks);
+    return begin == std::string::npos
+               ? ""
+               : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  }
+
+  std::string tidy_name(const std::string &text)
+  {
+    std::istringstream words(text);
+    std::string        name, word;
+    while (words >> word)
+      name += (name.empty() ? "" : " ") + word;
+    return name;
+  }
+
+  std::size_t find_comment(const std::string &text)
+  {
+    std::size_t hash = text.find('#');
+    while (hash != std::string::npos && hash > 0 && text[hash - 1] != ' ' && text[hash - 1] != '\t')
+      hash = text.find('#', hash + 1);
+    return hash;
+  }
+
+  bool read_line(std::istream &stream, std::string &line, unsigned int &number, unsigned int &next)
+  {
+    std::string raw_line;
+    line.clear();
+    while (line.empty() && std::getline(stream, raw_line))
+    {
+      number = next++;
+      line   = trim(raw_line.substr(0, find_comment(raw_line)));
+      while (!line.empty() && line.back() == '\\' && std::getline(stream, raw_line))
+      {
+        ++next;
+        line.pop_back();
+        line = trim(trim(line) + " " + trim(raw_line.substr(0, find_comment(raw_line))));
+      }
+    }
+    return !line.empty();
+  }
+
+  std::string write_out_whole_numbers(const std::string &text)
+  {
+    static const std::regex scientific(R"(\d+(\.\d*)?[eE]\+?\d+)");
+    std::string             result;
+    std::size_t             end = 0;
+    for (std::sregex_iterator match(text.begin(), text.end(), scientific), last; match != last;
+         ++match)
+    {
+      const double number = std::stod(match->str());
+      result += text.substr(end, match->position() - end);
+      result += number == std::floor(number) && number < 1e15
+                    ? std::to_string(static_cast<long long>(number))
+                    : match->str();
+      end = match->position() + match->length();
+    }
+    return result + text.substr(end);
+  }
+} // namespace caudal
