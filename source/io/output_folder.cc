@@ -49,12 +49,14 @@ namespace caudal
       return false;
     }
 
-    /** The first of folder.1, folder.2, ... that is free. */
+    /** The first of folder.1, folder.2, ... that is free; beside a folder given as "folder/", too.
+     */
     fs::path find_free_name(const fs::path &folder)
     {
+      const fs::path base = folder.has_filename() ? folder : folder.parent_path();
       for (unsigned int k = 1;; ++k)
       {
-        const fs::path name = folder.string() + "." + std::to_string(k);
+        const fs::path name = base.string() + "." + std::to_string(k);
         if (!fs::exists(name))
           return name;
       }

@@ -49,6 +49,11 @@ echo "    $(ls -d results*), at $(last_time results)"
 list results
 cat results/notes.txt results/restart/notes.txt results/fields/picture.png
 
+echo "* a folder whose name ends with a slash"
+run disc.prm -D "Output/Folder=slash/" -D "Time/End time=0.01"
+run disc.prm -D "Output/Folder=slash/" -D "Time/End time=0.02"
+echo "    $(ls -d slash*), at $(last_time slash) and $(last_time slash.1)"
+
 echo "* an unfinished run is replaced on demand"
 "$CAUDAL" --resume results -D "Time/End time=5" -D "Checkpoint/Wall time limit=1e-9" >printed 2>errors
 run disc.prm -D "Time/End time=0.02" -D "Output/Existing results=replace"
