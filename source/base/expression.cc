@@ -67,10 +67,12 @@ namespace caudal
       is_valid = false;
     }
     std::cerr.rdbuf(terminal);
+    if (is_valid)
+      return;
     std::smatch       message;
     const std::string reasons = reason.str();
     const bool has_message = std::regex_search(reasons, message, std::regex("Message:\\s*<(.*)>"));
-    AssertThrow(is_valid,
+    AssertThrow(false,
                 ExcMessage(path + ": <" + text + "> is not a valid function of " + variables +
                            (has_message ? " (" + message[1].str() + ")" : "") +
                            ". See https://beltoforion.de/en/muparser for what it may contain."));

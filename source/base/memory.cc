@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/memory.h>
+#include <caudal/base/print.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
@@ -8,9 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 using namespace dealii;
 
@@ -62,16 +61,14 @@ namespace caudal
 
     std::string print_size(const double bytes)
     {
-      std::ostringstream text;
-      text << std::setprecision(3) << bytes / (kibibyte * kibibyte * kibibyte) << " GiB";
-      return text.str();
+      return print_rounded(bytes / (kibibyte * kibibyte * kibibyte)) + " GiB";
     }
   } // namespace
 
-  double get_free_memory()
+  double get_free_memory(const unsigned int n_processes)
   {
-    return std::min(
-        {get_free_memory_of_system(), get_free_memory_of_group(), get_free_address_space()});
+    return std::min({get_free_memory_of_system() / n_processes,
+                     get_free_memory_of_group() / n_processes, get_free_address_space()});
   }
 
   void check_memory(const MPI_Comm communicator, const double need, const std::string &what,
@@ -82,12 +79,10 @@ namespace caudal
     const int error =
         MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
     AssertThrowMPI(error);
-    const double n_here = Utilities::MPI::n_mpi_processes(machine);
+    const unsigned int n_here = Utilities::MPI::n_mpi_processes(machine);
     MPI_Comm_free(&machine);
-    const double share = std::min({get_free_memory_of_system() / n_here,
-                                   get_free_memory_of_group() / n_here, get_free_address_space()});
-    const double free =
-        Utilities::MPI::min(share, communicator) * Utilities::MPI::n_mpi_processes(communicator);
+    const double free = Utilities::MPI::min(get_free_memory(n_here), communicator) *
+                        Utilities::MPI::n_mpi_processes(communicator);
     AssertThrow(need <= free,
                 ExcMessage(what + ", which needs at least " + print_size(need) +
                            " of memory, and " + print_size(free) + " are free. " + remedy));

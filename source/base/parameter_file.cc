@@ -383,11 +383,12 @@ namespace caudal
     unsigned int             number = 0, next_number = 1;
     while (read_line(stream, line, number, next_number))
     {
-      const std::string origin   = file + ":" + std::to_string(number);
-      const std::size_t blank    = line.find_first_of(" \t");
-      const std::string keyword  = line.substr(0, blank);
-      const std::string argument = blank == std::string::npos ? "" : trim(line.substr(blank));
-      const std::size_t equals   = argument.find('=');
+      const std::string origin  = file + ":" + std::to_string(number);
+      const std::size_t blank   = line.find_first_of(" \t");
+      const std::string keyword = line.substr(0, blank);
+      const std::string argument =
+          blank == std::string::npos ? "" : Utilities::trim(line.substr(blank));
+      const std::size_t equals = argument.find('=');
 
       if (keyword == "subsection" && !argument.empty())
       {
@@ -407,7 +408,7 @@ namespace caudal
         read(std::filesystem::path(file).parent_path() / argument, origin, sections, open_files);
       else if (keyword == "set" && equals != std::string::npos && equals > 0)
         assignments.push_back({sections, tidy_name(argument.substr(0, equals)),
-                               trim(argument.substr(equals + 1)), origin});
+                               Utilities::trim(argument.substr(equals + 1)), origin});
       else
         AssertThrow(false,
                     ExcMessage(origin + ": the line <" + line + "> can't be understood. Write " +
@@ -434,7 +435,7 @@ namespace caudal
     names.pop_back();
     for (unsigned int depth = 1; depth <= names.size(); ++depth)
       assignments.push_back({Sections(names.begin(), names.begin() + depth), "", "", origin, true});
-    const std::string value = trim(text.substr(equals + 1));
+    const std::string value = Utilities::trim(text.substr(equals + 1));
     // The run's parameters.prm could not say it.
     AssertThrow(find_comment(" " + value) == std::string::npos,
                 ExcMessage(origin + ": a '#' behind a blank starts a comment in a parameter file. "

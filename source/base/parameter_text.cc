@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/parameter_text.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cmath>
 #include <regex>
 #include <sstream>
 
 namespace caudal
 {
-  namespace
-  {
-    const char *const blanks = " \t";
-  }
-
-  std::string trim(const std::string &text)
-  {
-    const std::size_t begin = text.find_first_not_of(blanks);
-    return begin == std::string::npos
-               ? ""
-               : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-  }
+  using dealii::Utilities::trim;
 
   std::string tidy_name(const std::string &text)
   {

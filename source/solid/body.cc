@@ -70,18 +70,18 @@ namespace caudal
   Body<dim>::Body(const BodyParameters<dim> &parameters, const double fluid_density)
       : parameters(parameters)
       , solid(parameters.solid, fluid_density)
-      , length(compute_extent(solid.get_triangulation()).length)
+      , extent(compute_extent(solid.get_triangulation()))
       , controller(parameters.controller.type.create())
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
       region_ids[parameters.solid.regions[r]] = r;
-    muscle = parameters.muscle.create(length, region_ids);
-    gait   = parameters.gait.create(length);
+    muscle = parameters.muscle.create(extent.length, region_ids);
+    gait   = parameters.gait.create(extent.length);
     check_nose();
     if (swims())
       lateral_point =
-          solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * length *
+          solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * extent.length *
                                      Point<dim>::unit_vector(0)),
                           solid.get_parameters().get_path() + "/Muscle/Monitored point");
 
@@ -106,7 +106,7 @@ namespace caudal
   {
     const double nose = GridTools::compute_bounding_box(solid.get_triangulation()).lower_bound(0);
     AssertThrow(
-        !counts_from_nose() || std::abs(nose) < 1e-3 * length,
+        !counts_from_nose() || std::abs(nose) < 1e-3 * extent.length,
         ExcMessage(solid.get_parameters().get_path() +
                    "/Shape: muscle and gait count s from x = 0 of the body's frame, but the "
                    "shape begins at x = " +

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/mesh/body_grid.h>
 #include <caudal/viscous/body_resolution.h>
 
 #include <cmath>
@@ -17,7 +16,7 @@ namespace caudal
   BodyResolution measure_resolution(const Body<dim> &body, const DomainParameters<dim> &domain)
   {
     const SolidBody<dim> &solid  = body.get_solid();
-    const BodyExtent      extent = compute_extent(solid.get_triangulation());
+    const BodyExtent     &extent = body.get_extent();
     const double volume = solid.get_reference_volume() / solid.get_triangulation().n_active_cells();
     return {std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree /
                 get_finest_cell(domain),

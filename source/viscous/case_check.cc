@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/print.h>
 #include <caudal/io/progress.h>
 #include <caudal/mesh/body_grid.h>
 #include <caudal/viscous/case_check.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <set>
 
@@ -31,13 +31,6 @@ namespace caudal
 
     // Bodies that are lighter or heavier than the fluid by such factors are likely a wrong unit.
     constexpr double largest_density_ratio = 50;
-
-    std::string print(const double value)
-    {
-      std::ostringstream text;
-      text << std::setprecision(3) << value;
-      return text.str();
-    }
   } // namespace
 
   template <int dim>
@@ -118,35 +111,39 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
-      out << body.path << ": its nodes are " << print(body.resolution.spacing_ratio)
+      out << body.path << ": its nodes are " << print_rounded(body.resolution.spacing_ratio)
           << " of the fluid's finest cells apart; thickness of";
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
         out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' '
-            << print(body.resolution.thinnest[r])
-            << " m = " << print(body.resolution.thinnest[r] / cell_size) << " cells";
+            << print_rounded(body.resolution.thinnest[r])
+            << " m = " << print_rounded(body.resolution.thinnest[r] / cell_size) << " cells";
         if (kernel_width > 0)
-          out << " = " << print(body.resolution.thinnest[r] / kernel_width) << " kernel widths";
+          out << " = " << print_rounded(body.resolution.thinnest[r] / kernel_width)
+              << " kernel widths";
       }
       out << ".\n";
       if (body.swims())
-        out << body.path << ": " << print(body.room_ahead) << " m of room ahead, enough for "
-            << print(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";
+        out << body.path << ": " << print_rounded(body.room_ahead)
+            << " m of room ahead, enough for "
+            << print_rounded(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";
     }
     if (scales.speed > 0)
-      out << "Flow: U = " << print(scales.speed) << " m/s (of inflows, initial velocity, swimmers) "
-          << "and L = " << print(scales.length) << " m give Re = "
-          << print(scales.speed * scales.length / parameters.fluid.kinematic_viscosity)
-          << "; at that a boundary layer is " << print(get_boundary_layer())
-          << " m = " << print(get_boundary_layer() / cell_size)
+      out << "Flow: U = " << print_rounded(scales.speed)
+          << " m/s (of inflows, initial velocity, swimmers) "
+          << "and L = " << print_rounded(scales.length) << " m give Re = "
+          << print_rounded(scales.speed * scales.length / parameters.fluid.kinematic_viscosity)
+          << "; at that a boundary layer is " << print_rounded(get_boundary_layer())
+          << " m = " << print_rounded(get_boundary_layer() / cell_size)
           << " of the finest cells thick at its end. "
-          << "Grad-div stabilisation " << print(grad_div) << " m2/s.\n";
+          << "Grad-div stabilisation " << print_rounded(grad_div) << " m2/s.\n";
     out << "Steps: ";
     if (std::isfinite(get_explicit_limit()))
-      out << "the explicit scheme takes about " << print(get_explicit_limit()) << " s; ";
-    out << "with the semi-implicit one and " << print(parameters.time.step)
-        << " s the flow may reach " << print(largest_cfl * 0.5 * cell_size / parameters.time.step)
-        << " m/s, " << largest_cfl << " spacings a step, the most that was tried.\n";
+      out << "the explicit scheme takes about " << print_rounded(get_explicit_limit()) << " s; ";
+    out << "with the semi-implicit one and " << print_rounded(parameters.time.step)
+        << " s the flow may reach "
+        << print_rounded(largest_cfl * 0.5 * cell_size / parameters.time.step) << " m/s, "
+        << largest_cfl << " spacings a step, the most that was tried.\n";
   }
 
   template <int dim>
@@ -157,8 +154,8 @@ namespace caudal
     const bool   grows     = parameters.refinement.vorticity_threshold > 0 && n_largest > n_cells;
     if (trial.n_steps > 1)
     {
-      out << "Trial: " << trial.n_steps << " steps, " << print(trial.seconds)
-          << " s of wall time each and " << print(trial.memory) << " MiB. " << n_steps
+      out << "Trial: " << trial.n_steps << " steps, " << print_rounded(trial.seconds)
+          << " s of wall time each and " << print_rounded(trial.memory) << " MiB. " << n_steps
           << " steps on these cells take about " << format_duration(n_steps * trial.seconds);
       if (grows)
         out << ", "
@@ -170,9 +167,9 @@ namespace caudal
     const double n_outputs = parameters.output.field_interval > 0
                                  ? parameters.time.end_time / parameters.output.field_interval
                                  : n_steps;
-    out << "Disk: up to " << print((n_outputs + 1) * cells * bytes_of_fields / mebibyte)
+    out << "Disk: up to " << print_rounded((n_outputs + 1) * cells * bytes_of_fields / mebibyte)
         << " MiB for fields at " << std::floor(n_outputs + 1) << " times, "
-        << print(parameters.checkpoint.n_slots * cells * bytes_of_checkpoint / mebibyte)
+        << print_rounded(parameters.checkpoint.n_slots * cells * bytes_of_checkpoint / mebibyte)
         << " MiB for checkpoints.\n";
   }
 
@@ -201,34 +198,34 @@ namespace caudal
                            "half a cell of the fluid (Coupling/Accept unresolved bodies).");
       else if (body.swims() && body.resolution.typical < cell_size)
         warnings.push_back(body.path + ": most of the body is thinner than a cell of the fluid, " +
-                           print(body.resolution.typical) +
+                           print_rounded(body.resolution.typical) +
                            " m: forces and speeds can be wrong by a factor of four. Use a finer "
                            "grid (Domain/Levels).");
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
         const std::string region = body.path + ": region " + body.get_regions()[r] + " is " +
-                                   print(body.resolution.thinnest[r]) +
+                                   print_rounded(body.resolution.thinnest[r]) +
                                    " m thick at its thinnest, ";
         if (body.resolution.thinnest[r] < kernel_width)
           warnings.push_back(
-              region + "less than the width " + print(kernel_width) +
+              region + "less than the width " + print_rounded(kernel_width) +
               " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
               "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).");
         else if (body.resolution.thinnest[r] < least_thickness * cell_size)
           warnings.push_back(
-              region + "less than " + print(least_thickness) +
+              region + "less than " + print_rounded(least_thickness) +
               " cells of the fluid: the flow round it is not resolved there. Use a "
               "finer grid (Domain/Levels), or compare with one to see what it costs.");
       }
       if (body.resolution.spacing_ratio > coarsest_ratio)
         warnings.push_back(
             body.path + "/Shape/Elements: the body's nodes are " +
-            print(body.resolution.spacing_ratio) +
+            print_rounded(body.resolution.spacing_ratio) +
             " of the fluid's finest cells apart: fluid may leak through it. Give more.");
       if (body.resolution.spacing_ratio < finest_ratio)
         warnings.push_back(
             body.path + "/Shape/Elements: the body's nodes are " +
-            print(body.resolution.spacing_ratio) +
+            print_rounded(body.resolution.spacing_ratio) +
             " of the fluid's finest cells apart: more motions than the fluid has make "
             "the body thicker. Give fewer.");
     }
@@ -243,17 +240,18 @@ namespace caudal
         continue;
       if (body.nearest_side < body.body.get_length())
         warnings.push_back(body.path + "/Shape/Position: a side of the domain is " +
-                           print(body.nearest_side) + " m away, less than a body length (" +
-                           print(body.body.get_length()) +
+                           print_rounded(body.nearest_side) + " m away, less than a body length (" +
+                           print_rounded(body.body.get_length()) +
                            " m): the body feels it. Move the body or change Domain/Size.");
       const double speed    = estimate_swimming_speed(body.body);
       const double distance = speed * parameters.time.end_time;
       if (distance > body.room_ahead)
-        warnings.push_back("Time/End time: at " + print(speed) + " m/s " + body.path + " swims " +
-                           print(distance) + " m, and there are " + print(body.room_ahead) +
+        warnings.push_back("Time/End time: at " + print_rounded(speed) + " m/s " + body.path +
+                           " swims " + print_rounded(distance) + " m, and there are " +
+                           print_rounded(body.room_ahead) +
                            " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
       if (body.body.get_beat_frequency() * parameters.time.step > 0.02)
-        warnings.push_back("Time/Step: " + print(parameters.time.step) +
+        warnings.push_back("Time/Step: " + print_rounded(parameters.time.step) +
                            " s are less than 50 steps a beat of " + body.path +
                            ". Give a smaller step.");
     }
@@ -293,20 +291,22 @@ namespace caudal
                                      [](const BodyOnGrid &body) { return body.swims(); });
     const double usual = scales.get_grad_div();
     if (swims && grad_div > largest_grad_div * usual)
-      warnings.push_back("Fluid/Grad-div stabilisation: " + print(grad_div) +
-                         " m2/s are far more than a tenth of speed times length, " + print(usual) +
+      warnings.push_back("Fluid/Grad-div stabilisation: " + print_rounded(grad_div) +
+                         " m2/s are far more than a tenth of speed times length, " +
+                         print_rounded(usual) +
                          ": they slow the body down. Give automatic, or that.");
     if (!bodies.empty() && get_boundary_layer() < cell_size)
       warnings.push_back(
-          "Domain/Levels: the boundary layer, about " + print(get_boundary_layer()) +
+          "Domain/Levels: the boundary layer, about " + print_rounded(get_boundary_layer()) +
           " m thick, is thinner than a cell: friction and separation will be those of the grid, "
           "not of Fluid/Kinematic viscosity. Use finer cells or a larger viscosity.");
     const double spacings = scales.speed * parameters.time.step / (0.5 * cell_size);
     if (spacings > largest_cfl)
-      warnings.push_back("Time/Step: at " + print(scales.speed) + " m/s the flow passes " +
-                         print(spacings) + " spacings of the grid in a step, and " +
-                         print(largest_cfl) + " are the most that was tried. Give " +
-                         print(parameters.time.step * largest_cfl / spacings) + " s or less.");
+      warnings.push_back("Time/Step: at " + print_rounded(scales.speed) + " m/s the flow passes " +
+                         print_rounded(spacings) + " spacings of the grid in a step, and " +
+                         print_rounded(largest_cfl) + " are the most that was tried. Give " +
+                         print_rounded(parameters.time.step * largest_cfl / spacings) +
+                         " s or less.");
   }
 
   template <int dim>
@@ -317,12 +317,12 @@ namespace caudal
       const SolidBody<dim> &solid = body.body.get_solid();
       const double          ratio = solid.get_parameters().density / parameters.fluid.density;
       if (ratio > 0 && (ratio > largest_density_ratio || ratio < 1 / largest_density_ratio))
-        warnings.push_back(body.path + "/Density: it is " + print(ratio) +
+        warnings.push_back(body.path + "/Density: it is " + print_rounded(ratio) +
                            " of the fluid's. If that is not meant, give it in kg/m^3.");
       if (body.wave_speed > 0 && body.wave_speed < scales.speed)
         warnings.push_back(body.path + ": elastic waves run through it at " +
-                           print(body.wave_speed) + " m/s, slower than the flow of " +
-                           print(scales.speed) +
+                           print_rounded(body.wave_speed) + " m/s, slower than the flow of " +
+                           print_rounded(scales.speed) +
                            " m/s, to which it gives way like a fluid. If that is not meant, give "
                            "its moduli in Pa.");
       if (is_symmetric(solid) && body.spring_frequency == 0 && !body.body.swims() &&

@@ -24,11 +24,17 @@ namespace caudal
       Vector<double> value(dim);
       for (unsigned int index = 0; index < Utilities::fixed_power<dim>(n_points); ++index)
       {
-        Point<dim>   point = domain.lower_corner;
-        unsigned int rest  = index;
+        Point<dim>   point  = domain.lower_corner;
+        unsigned int rest   = index;
+        bool         is_new = true; // across the face all points are the same one
         for (unsigned int d = 0; d < dim; ++d, rest /= n_points)
-          point[d] += domain.size[d] *
-                      (d == side / 2 ? 1. * (side % 2) : 1. * (rest % n_points) / (n_points - 1));
+        {
+          const double share = 1. * (rest % n_points) / (n_points - 1);
+          point[d] += domain.size[d] * (d == side / 2 ? 1. * (side % 2) : share);
+          is_new = is_new && (d != side / 2 || share == 0);
+        }
+        if (!is_new)
+          continue;
         velocity.vector_value(point, value);
         largest = std::max(largest, value.l2_norm());
       }

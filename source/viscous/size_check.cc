@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/memory.h>
+#include <caudal/base/print.h>
 #include <caudal/viscous/size_check.h>
 
 #include <functional>
-#include <iomanip>
 #include <numeric>
 
 namespace caudal
@@ -15,13 +15,6 @@ namespace caudal
     constexpr double bytes_of_coarse_cell = 1000, bytes_of_body_cell = 2000;
     template <int dim>
     constexpr double bytes_of_cell = dim == 2 ? 12000 : 30000;
-
-    std::string print_number(const double number)
-    {
-      std::ostringstream text;
-      text << std::setprecision(3) << number;
-      return text.str();
-    }
   } // namespace
 
   template <int dim>
@@ -34,13 +27,13 @@ namespace caudal
     const double n_coarse = count(parameters.domain.cells);
     // Each rank has all of them.
     check_memory(communicator, n_coarse * bytes_of_coarse_cell * n_ranks,
-                 "Domain/Cells: the coarse grid has " + print_number(n_coarse) + " cells",
+                 "Domain/Cells: the coarse grid has " + print_rounded(n_coarse) + " cells",
                  "Give fewer, and more Domain/Levels where they are needed.");
     for (const auto &body : parameters.bodies)
     {
       const double n = count(body->solid.grid.divisions.elements);
       check_memory(communicator, n * bytes_of_body_cell * n_ranks,
-                   body->solid.get_path() + "/Shape/Elements: there are " + print_number(n),
+                   body->solid.get_path() + "/Shape/Elements: there are " + print_rounded(n),
                    "Give fewer.");
     }
   }
@@ -57,7 +50,7 @@ namespace caudal
       n_cells += body->get_solid().get_reference_volume() / cell;
     check_memory(communicator, n_cells * bytes_of_cell<dim>,
                  "Domain/Levels: " + std::to_string(parameters.domain.levels) + " ask for " +
-                     print_number(n_cells) + " cells in the bodies",
+                     print_rounded(n_cells) + " cells in the bodies",
                  "Give fewer levels or fewer Domain/Cells.");
   }
 

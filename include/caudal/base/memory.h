@@ -10,9 +10,10 @@ namespace caudal
 {
   /**
    * The memory that this process may still take [bytes]: what the system, its control group
-   * (containers, batch systems) and the limit of its address space (ulimit -v) leave.
+   * (containers, batch systems) and the limit of its address space (ulimit -v) leave, if the former
+   * two are shared equally by @p n_processes.
    */
-  double get_free_memory();
+  double get_free_memory(unsigned int n_processes = 1);
 
   /**
    * Throws a sentence if this run, which needs at least @p need [bytes] on all ranks together,

@@ -7,9 +7,6 @@
 
 namespace caudal
 {
-  /** Removes the blanks at both ends. */
-  std::string trim(const std::string &text);
-
   /** A name, in which repeated blanks count as one. */
   std::string tidy_name(const std::string &text);
 

@@ -51,9 +51,14 @@ namespace caudal
     {
       return parameters;
     }
+    /** Its lengths at rest; to measure them takes a time as the square of the number of faces. */
+    const BodyExtent &get_extent() const
+    {
+      return extent;
+    }
     double get_length() const
     {
-      return length;
+      return extent.length;
     }
     double get_gait_damping() const
     {
@@ -141,7 +146,7 @@ namespace caudal
   private:
     const BodyParameters<dim>              &parameters;
     SolidBody<dim>                          solid;
-    const double                            length;
+    const BodyExtent                        extent;
     std::unique_ptr<Muscle<dim>>            muscle;
     std::unique_ptr<Gait>                   gait;
     std::unique_ptr<Controller>             controller;
