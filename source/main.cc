@@ -46,7 +46,7 @@ namespace
       std::signal(signal, handler);
   }
 
-  /** Before the first step, while grids are built, there is nothing to save. */
+  /** The answer before the first step, while grids are built: there is nothing to save. */
   void stop_at_once(int)
   {
     constexpr char message[] =
@@ -192,21 +192,28 @@ namespace
 
   Exit run(const int argc, char **argv)
   {
+    using Action                   = CommandLine::Action;
     const CommandLine command_line = parse_command_line(argc, argv);
-    if (command_line.action == CommandLine::Action::help ||
-        command_line.action == CommandLine::Action::version)
+    // What only prints ends quietly, as if its output goes to `head`, which has seen enough.
+    const bool only_prints = command_line.action == Action::help ||
+                             command_line.action == Action::version ||
+                             command_line.action == Action::print_parameters ||
+                             command_line.action == Action::check;
+    if (only_prints)
+      catch_signals(SIG_DFL);
+    if (command_line.action == Action::help || command_line.action == Action::version)
     {
-      print(command_line.action == CommandLine::Action::help ? get_help() : get_version() + "\n");
+      print(command_line.action == Action::help ? get_help() : get_version() + "\n");
       return finished;
     }
     std::unique_ptr<ParameterFile> file;
-    if (command_line.action == CommandLine::Action::resume)
+    if (command_line.action == Action::resume)
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
     load_libraries(file ? file->get("Libraries", "") : "");
     const std::string model = file ? get_model(*file) : "immersed";
-    if (command_line.action == CommandLine::Action::print_parameters)
+    if (command_line.action == Action::print_parameters)
       return model == "potential"
                  ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "elastic"

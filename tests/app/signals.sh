@@ -27,3 +27,9 @@ for signal in USR1 USR2; do
   wait $run
   echo "SIG$signal to mpirun: exit code $?, $(ls results/restart | grep -c step) checkpoint"
 done
+
+# What only prints ends quietly when nobody reads on.
+"$CAUDAL" --print-parameters disc.prm 2>errors | true
+cat errors
+"$CAUDAL" --check --fast disc.prm 2>errors | true
+cat errors
