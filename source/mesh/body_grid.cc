@@ -101,9 +101,12 @@ namespace caudal
         if (region != regions.end())
           numbers[id] = region - regions.begin();
       }
-      AssertThrow(numbers.size() == regions.size() && numbers.size() == names.size(),
-                  ExcMessage(entry + ": the groups of the mesh are called " + known +
-                             ", and the body's regions otherwise. Give Regions = " + known + "."));
+      AssertThrow(
+          numbers.size() == regions.size() && numbers.size() == names.size(),
+          ExcMessage(
+              entry + ": the groups of the mesh are called " + known +
+              ", and the body's regions otherwise. Give Regions with these names, that of the "
+              "head first."));
       return numbers;
     }
 
@@ -125,7 +128,14 @@ namespace caudal
       for (const types::material_id id : ids)
         numbers.emplace(id, numbers.size());
       if (n_regions > 1 && !names.empty())
+      {
         numbers = match_names(names, regions, entry);
+        for (const types::material_id id : ids)
+          AssertThrow(numbers.count(id) > 0,
+                      ExcMessage(entry + ": the group " + std::to_string(id) +
+                                 " of cells has no name, and others have. Name all groups of "
+                                 "cells, or none."));
+      }
       for (const auto &cell : tria.active_cell_iterators())
         cell->set_material_id(numbers.at(cell->material_id()));
     }

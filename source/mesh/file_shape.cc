@@ -24,6 +24,29 @@ namespace caudal
       return line;
     }
 
+    /** The number of cells that are connected with the first one through common sides. */
+    template <int dim>
+    unsigned int count_connected_cells(const Triangulation<dim> &tria)
+    {
+      std::vector<bool> is_known(tria.n_active_cells(), false);
+      std::vector<typename Triangulation<dim>::active_cell_iterator> open{tria.begin_active()};
+      is_known[0]          = true;
+      unsigned int n_cells = 0;
+      while (!open.empty())
+      {
+        const auto cell = open.back();
+        open.pop_back();
+        ++n_cells;
+        for (const unsigned int f : cell->face_indices())
+          if (!cell->at_boundary(f) && !is_known[cell->neighbor(f)->active_cell_index()])
+          {
+            is_known[cell->neighbor(f)->active_cell_index()] = true;
+            open.push_back(cell->neighbor(f));
+          }
+      }
+      return n_cells;
+    }
+
     /** A gmsh mesh; the physical ids are the regions, in increasing order. */
     template <int dim>
     class FileShape : public Shape<dim>
@@ -33,11 +56,12 @@ namespace caudal
       {
         prm.add_parameter(
             "Name", file,
-            "Name of a gmsh mesh (.msh) of quadrilaterals (3D: hexahedra), in metres; relative to "
-            "the parameter file or else to the working directory. Its physical ids, in increasing "
-            "order, are the regions. In an "
-            "ideal fluid a closed mesh of quadrilaterals, outward oriented, as the surface of the "
-            "straight body: nose at the smallest x, x towards the tail, y lateral, z dorsal; "
+            "Name of a gmsh mesh (.msh, text or binary) of quadrilaterals or triangles (3D: "
+            "hexahedra or tetrahedra), in metres; relative to the parameter file or else to the "
+            "working directory. Its physical groups are the regions, by their names or, where "
+            "they have none, in the order of their numbers. In an ideal fluid a closed mesh of "
+            "quadrilaterals, outward oriented, as the surface of the straight body: nose at the "
+            "smallest x, x towards the tail, y lateral, z dorsal; "
             ".msh, .ucd or .vtk. Its flat cells are not curved.",
             Patterns::FileName(Patterns::FileName::input));
         prm.add_parameter(
@@ -101,6 +125,14 @@ namespace caudal
         require(distinct_cells.size() == tria.n_active_cells(), path, "File/Name",
                 name + "has cells twice, as gmsh writes them if physical groups overlap. Put each "
                        "cell into one group.");
+
+        const unsigned int n_connected = count_connected_cells(tria);
+        require(n_connected == tria.n_active_cells(), path, "File/Name",
+                name + "falls into parts: only " + std::to_string(n_connected) + " of its " +
+                    std::to_string(tria.n_active_cells()) +
+                    " cells hold together by common sides. Let the nodes coincide where parts "
+                    "touch (gmsh: Coherence, or BooleanFragments), or make parts that do not "
+                    "touch bodies of their own.");
 
         for (const auto &face : tria.active_face_iterators())
           if (face->at_boundary())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/safe_file.h>
+#include <caudal/mesh/gmsh_binary.h>
 #include <caudal/mesh/gmsh_file.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -185,11 +186,8 @@ namespace caudal
         if (line.rfind("$MeshFormat", 0) == 0)
         {
           result += line + '\n';
-          int is_binary = 0;
-          stream >> version >> is_binary;
-          AssertThrow(is_binary == 0, ExcMessage("it is a binary file."));
           std::getline(stream, line);
-          line = std::to_string(version) + " 0" + line;
+          version = std::atof(line.c_str());
         }
         else if (line[0] == '$')
           is_element = is_new_group = line.rfind("$Elements", 0) == 0 || line.rfind("$ELM", 0) == 0;
@@ -238,7 +236,9 @@ namespace caudal
   template <int dim>
   void read_gmsh(const std::string &file, Triangulation<dim> &tria)
   {
-    const std::string text = read_text_file(file);
+    const std::string contents = read_whole_file(file);
+    const std::string text =
+        is_binary_mesh(contents) ? convert_binary_mesh(contents) : read_text_file(file);
     check_sections(text);
     std::istringstream       stream(make_linear(text));
     MendedTriangulation<dim> mended;

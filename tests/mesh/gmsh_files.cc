@@ -35,6 +35,40 @@ void read(const std::string &what, const std::string &text)
   std::cout << '\n';
 }
 
+/** Numbers as binary files hold them. */
+template <typename Number>
+std::string bytes(const std::initializer_list<Number> numbers)
+{
+  return std::string(reinterpret_cast<const char *>(numbers.begin()),
+                     numbers.size() * sizeof(Number));
+}
+
+std::string make_binary_square_of_format_2()
+{
+  std::string nodes;
+  for (int i = 0; i < 4; ++i)
+    nodes += bytes<int>({i + 1}) + bytes<double>({double(i == 1 || i == 2), double(i > 1), 0});
+  return "$MeshFormat\n2.2 1 8\n" + bytes<int>({1}) + "\n$EndMeshFormat\n" +
+         "$PhysicalNames\n1\n2 7 \"fin\"\n$EndPhysicalNames\n$Nodes\n4\n" + nodes +
+         "\n$EndNodes\n$Elements\n2\n" + bytes<int>({1, 1, 2, 1, 9, 3, 2, 3}) +
+         bytes<int>({3, 1, 2, 2, 7, 1, 1, 2, 3, 4}) + "\n$EndElements\n";
+}
+
+/** A triangle of second order on an entity of the group 3, beside a point in no group. */
+std::string make_binary_triangle_of_format_4()
+{
+  using Counts             = std::initializer_list<std::size_t>;
+  const std::string entity = bytes<int>({1}) + bytes<double>({0, 0, 0, 1, 1, 0}) +
+                             bytes(Counts{1}) + bytes<int>({3}) + bytes(Counts{0});
+  return "$MeshFormat\n4.1 1 8\n" + bytes<int>({1}) + "\n$EndMeshFormat\n$Entities\n" +
+         bytes(Counts{1, 0, 1, 0}) + bytes<int>({1}) + bytes<double>({0, 0, 0}) + bytes(Counts{0}) +
+         entity + "\n$EndEntities\n$Nodes\n" + bytes(Counts{1, 6, 1, 6}) + bytes<int>({2, 1, 0}) +
+         bytes(Counts{6, 1, 2, 3, 4, 5, 6}) +
+         bytes<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0.5, 0}) +
+         "\n$EndNodes\n$Elements\n" + bytes(Counts{1, 1, 1, 1}) + bytes<int>({2, 1, 9}) +
+         bytes(Counts{1, 1, 1, 2, 3, 4, 5, 6}) + "\n$EndElements\n";
+}
+
 int main()
 {
   const std::string format_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -69,5 +103,14 @@ int main()
 
   read<2>("a section without end", format_2 + "$Nodes\n4\n" + square);
   read<2>("a section within another one", format_2 + "$Nodes\n4\n" + square + "$Elements\n");
-  read<2>("a binary file", "$MeshFormat\n4.1 1 8\n$EndMeshFormat\n");
+
+  const std::string binary = make_binary_square_of_format_2();
+  read<2>("binary, format 2.2", binary);
+  read<2>("binary, second order, format 4.1", make_binary_triangle_of_format_4());
+  read<2>("a binary file that ends too early", binary.substr(0, binary.find("$EndNodes") - 9));
+  std::string fewer = binary;
+  fewer.replace(fewer.find("$Nodes\n4"), 8, "$Nodes\n3");
+  read<2>("one that has more nodes than it says", fewer);
+  read<2>("one of another machine", "$MeshFormat\n4.1 1 8\n" + bytes<int>({1 << 24}) + "\n");
+  read<2>("an older binary format", "$MeshFormat\n4.0 1 8\n");
 }

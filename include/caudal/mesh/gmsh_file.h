@@ -15,13 +15,13 @@ namespace caudal
   using GroupNames = std::map<types::material_id, std::string>;
 
   /**
-   * Reads the gmsh mesh @p file (.msh, text, format 1 to 4.1) as the grid of a body. Nodes that
+   * Reads the gmsh mesh @p file (.msh, text of format 1 to 4.1 or binary) as the grid of a body.
+   * Nodes that
    * coincide become one, so that parts hold together; lines and faces are ignored, as a body has no
    * conditions on its boundary; triangles are cut into three quadrilaterals each (tetrahedra into
    * four hexahedra), and quadrilaterals beside them into four; elements of second order are read
-   * as linear. Material ids are the numbers of
-   * the physical groups. Throws the reason, a sentence of deal.II, if the file can't be read as a
-   * mesh.
+   * as linear. Material ids are the numbers of the physical groups. Throws the reason, a sentence
+   * of deal.II, if the file can't be read as a mesh.
    */
   template <int dim>
   void read_gmsh(const std::string &file, Triangulation<dim> &tria);
