@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/base/compatibility.h>
-#include <caudal/fluid/fluid_space.h>
-
 #include <caudal/base/collective.h>
+#include <caudal/base/compatibility.h>
+#include <caudal/fluid/boundary_flux.h>
+#include <caudal/fluid/fluid_space.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace caudal
 {
+  namespace
+  {
+    // What is left of sums that cancel, beside the flux either way; beside the outflow, what can be
+    // a mistake of a profile's digits but not of the case.
+    constexpr double round_off = 1e-13, largest_imbalance = 1e-2;
+  } // namespace
+
   template <int dim>
   FluidSpace<dim>::FluidSpace(parallel::distributed::Triangulation<dim> &triangulation,
                               const DomainParameters<dim>               &domain,
@@ -38,7 +47,8 @@ namespace caudal
     body_force_loads.clear();
     velocity_dofs.distribute_dofs(velocity_element);
     pressure_dofs.distribute_dofs(pressure_element);
-    homogeneous_constraints.copy_from(make_constraints(0, true));
+    homogeneous_constraints.copy_from(make_constraints(
+        [](const unsigned int) { return std::make_unique<Functions::ZeroFunction<dim>>(dim); }));
     constraints_time.reset();
     for (auto [dofs, layout] : {std::make_pair(&velocity_dofs, &velocity_layout),
                                 std::make_pair(&pressure_dofs, &pressure_layout)})
@@ -50,20 +60,70 @@ namespace caudal
   template <int dim>
   const AffineConstraints<double> &FluidSpace<dim>::get_constraints(const double time) const
   {
-    if (std::none_of(boundary_conditions.begin(), boundary_conditions.end(),
-                     [](const auto &condition) { return condition->has_velocity(); }))
+    if (!has_velocity())
       return homogeneous_constraints;
     if (constraints_time != time)
     {
-      constraints.copy_from(make_constraints(time, false));
+      outflow_factor = balances_fluxes() ? compute_outflow_factor(time) : 1;
+      constraints.copy_from(make_constraints(time, outflow_factor));
       constraints_time = time;
     }
     return constraints;
   }
 
   template <int dim>
+  bool FluidSpace<dim>::has_velocity() const
+  {
+    return std::any_of(boundary_conditions.begin(), boundary_conditions.end(),
+                       [](const auto &condition) { return condition->has_velocity(); });
+  }
+
+  template <int dim>
+  bool FluidSpace<dim>::balances_fluxes() const
+  {
+    return has_velocity() &&
+           std::none_of(boundary_conditions.begin(), boundary_conditions.end(),
+                        [](const auto &condition) { return condition->is_open(); });
+  }
+
+  template <int dim>
+  double FluidSpace<dim>::get_outflow_factor(const double time) const
+  {
+    get_constraints(time);
+    return outflow_factor;
+  }
+
+  template <int dim>
+  double FluidSpace<dim>::compute_outflow_factor(const double time) const
+  {
+    const BoundaryFlux flux = compute_boundary_flux(*this, make_constraints(time, 1));
+    if (std::abs(flux.net) <= round_off * flux.total)
+      return 1;
+    // The flux is linear in the factor.
+    const double       inflow  = -compute_boundary_flux(*this, make_constraints(time, 0)).net;
+    const double       outflow = flux.net + inflow;
+    std::ostringstream text;
+    text << "Fluid/Boundary conditions: at t = " << time << " s the prescribed velocities let "
+         << std::abs(flux.net) << (dim == 2 ? " m^2/s" : " m^3/s") << " more "
+         << (flux.net < 0 ? "in than out" : "out than in")
+         << ", and no side is open: there is no incompressible flow. Set a side to outflow, or "
+            "give velocities whose fluxes cancel.";
+    AssertThrow(!(std::abs(flux.net) > largest_imbalance * outflow), ExcMessage(text.str()));
+    return inflow / outflow;
+  }
+
+  template <int dim>
   AffineConstraints<double> FluidSpace<dim>::make_constraints(const double time,
-                                                              const bool   homogeneous) const
+                                                              const double factor) const
+  {
+    return make_constraints([&](const unsigned int side) {
+      return std::make_unique<ScaledOutflow<dim>>(boundary_conditions[side]->make_velocity(time),
+                                                  side, factor);
+    });
+  }
+
+  template <int dim>
+  AffineConstraints<double> FluidSpace<dim>::make_constraints(const Velocities &velocities) const
   {
     AffineConstraints<double> result = compatibility::make_constraints(
         velocity_dofs.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(velocity_dofs));
@@ -81,10 +141,7 @@ namespace caudal
             boundary_conditions[side]->get_prescribed_components(/*normal=*/side / 2);
         if (components.n_selected_components(dim) == 0)
           continue;
-        const std::unique_ptr<Function<dim>> velocity =
-            homogeneous ? std::make_unique<Functions::ZeroFunction<dim>>(dim)
-                        : boundary_conditions[side]->make_velocity(time);
-        VectorTools::interpolate_boundary_values(velocity_dofs, side, *velocity, result,
+        VectorTools::interpolate_boundary_values(velocity_dofs, side, *velocities(side), result,
                                                  components);
       }
     });

@@ -11,6 +11,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
 #include <optional>
 
 namespace caudal
@@ -38,6 +39,19 @@ namespace caudal
      * for. Collective.
      */
     const AffineConstraints<double> &get_constraints(double time) const;
+
+    /**
+     * Whether velocities are prescribed on all sides, so that what they bring into the domain has
+     * to flow out of it.
+     */
+    bool balances_fluxes() const;
+
+    /**
+     * The factor by which prescribed outflows are multiplied at @p time, so that they are what
+     * flows in: one but for errors of interpolation and small ones of the user. Throws a sentence
+     * if it is farther from one than a hundredth. Collective.
+     */
+    double get_outflow_factor(double time) const;
 
     /** The constraints with zero boundary values, for corrections. */
     const AffineConstraints<double> &get_homogeneous_constraints() const
@@ -120,10 +134,16 @@ namespace caudal
     AffineConstraints<double>         homogeneous_constraints;
     mutable AffineConstraints<double> constraints; // at constraints_time [s]
     mutable std::optional<double>     constraints_time;
+    mutable double                    outflow_factor = 1; // at constraints_time
 
     std::shared_ptr<const Utilities::MPI::Partitioner> velocity_layout, pressure_layout;
 
-    AffineConstraints<double> make_constraints(double time, bool homogeneous) const;
+    using Velocities = std::function<std::unique_ptr<Function<dim>>(unsigned int side)>;
+
+    AffineConstraints<double> make_constraints(const Velocities &velocities) const;
+    AffineConstraints<double> make_constraints(double time, double outflow_factor) const;
+    bool                      has_velocity() const;
+    double                    compute_outflow_factor(double time) const;
   };
 } // namespace caudal
 
