@@ -83,41 +83,19 @@ namespace caudal
       }
       return solution[0] > 0. && sum < 1. + tolerance ? solution[0] : miss;
     }
-
-    /** The median of values with weights, the second numbers; infinite without any. */
-    double compute_median(std::vector<std::pair<double, double>> values)
-    {
-      std::sort(values.begin(), values.end());
-      double half = 0.;
-      for (const auto &value : values)
-        half += 0.5 * value.second;
-      for (const auto &[value, weight] : values)
-      {
-        half -= weight;
-        if (half <= 0.)
-          return value;
-      }
-      return std::numeric_limits<double>::infinity();
-    }
   } // namespace
 
   template <int dim>
-  BodyExtent compute_extent(const Triangulation<dim> &tria)
+  BodyExtent<dim> compute_extent(const Triangulation<dim> &tria)
   {
     std::vector<BoundaryFace<dim>> faces;
-    unsigned int                   n_regions = 0;
     for (const auto &cell : tria.active_cell_iterators())
-    {
-      n_regions = std::max<unsigned int>(n_regions, cell->material_id() + 1);
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
           faces.push_back(make_boundary_face<dim>(cell, f));
-    }
 
-    BodyExtent extent;
+    BodyExtent<dim> extent;
     extent.length = GridTools::compute_bounding_box(tria).side_length(0);
-    extent.region_thickness.assign(n_regions, std::numeric_limits<double>::infinity());
-    std::vector<std::pair<double, double>> distances; // and areas
     for (const BoundaryFace<dim> &face : faces)
     {
       double distance = std::numeric_limits<double>::infinity();
@@ -126,13 +104,8 @@ namespace caudal
           for (const Facet<dim> &facet : other.facets)
             distance =
                 std::min(distance, compute_distance<dim>(face.centre, face.inward_normal, facet));
-      double &of_region = extent.region_thickness[face.region];
-      of_region         = std::min(of_region, distance);
-      distances.emplace_back(distance, face.area);
+      extent.faces.push_back({distance, face.inward_normal, face.area, face.region});
     }
-    extent.typical_thickness = compute_median(distances);
-    extent.thinnest =
-        *std::min_element(extent.region_thickness.begin(), extent.region_thickness.end());
     return extent;
   }
 
@@ -158,8 +131,8 @@ namespace caudal
     return minimum;
   }
 
-  template BodyExtent compute_extent(const Triangulation<2> &);
-  template BodyExtent compute_extent(const Triangulation<3> &);
+  template BodyExtent<2> compute_extent(const Triangulation<2> &);
+  template BodyExtent<3> compute_extent(const Triangulation<3> &);
 
   template double compute_min_scaled_jacobian(const Triangulation<2> &);
   template double compute_min_scaled_jacobian(const Triangulation<3> &);

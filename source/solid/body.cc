@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
+#include <caudal/fish/number_table.h>
 #include <caudal/solid/body.h>
 #include <caudal/solid/rigid_motion.h>
 
@@ -87,7 +88,7 @@ namespace caudal
 
     loads.push_back(make_elastic_load(solid));
     loads.push_back(make_feedback_load(solid));
-    if (muscle->has_force() || muscle->has_active_stress())
+    if (has_muscle())
       loads.push_back(make_muscle_load(solid, *muscle));
     if (!parameters.solid.traction.empty())
       loads.push_back(make_surface_load(solid));
@@ -98,7 +99,7 @@ namespace caudal
   template <int dim>
   bool Body<dim>::swims() const
   {
-    return has_gait() || muscle->has_force() || muscle->has_active_stress();
+    return has_gait() || has_muscle();
   }
 
   template <int dim>
@@ -118,20 +119,11 @@ namespace caudal
   template <int dim>
   void Body<dim>::check_until(const double end_time) const
   {
-    const auto check = [&](const std::string &section, const double begin, const double end) {
-      AssertThrow(
-          begin <= 1e-9 * end_time && end_time <= end * (1. + 1e-9),
-          ExcMessage(solid.get_parameters().get_path() + "/" + section +
-                     "/Table/File: the table reaches from " + Patterns::Tools::to_string(begin) +
-                     " s to " + Patterns::Tools::to_string(end) + " s, and the run from 0 s to " +
-                     Patterns::Tools::to_string(end_time) +
-                     " s. Complete the table, end the run earlier (Time/End time), or set " +
-                     section + "/Table/Periodic."));
-    };
+    const std::string path = solid.get_parameters().get_path();
     if (has_gait())
-      check("Gait", 0., gait->get_end());
+      check_table_times(path, "Gait", 0., gait->get_end(), end_time);
     const auto [begin, end] = muscle->get_time_range();
-    check("Muscle", begin, end);
+    check_table_times(path, "Muscle", begin, end, end_time);
   }
 
   template <int dim>

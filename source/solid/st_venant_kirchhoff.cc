@@ -47,8 +47,8 @@ namespace caudal
         if (!keeps_bending_stiffness && excess > 1.01)
           text << "within a fluid, which keeps its volume, the body resists bending "
                << std::setprecision(3) << excess
-               << " times as much as its Young's modulus and Poisson ratio say. Set St. "
-                  "Venant-Kirchhoff/Keep bending stiffness = true if they are those of a real "
+               << " times as much as its Young's modulus and Poisson ratio say. Set "
+                  "St Venant-Kirchhoff/Keep bending stiffness = true if they are those of a real "
                   "material.";
         return text.str();
       }

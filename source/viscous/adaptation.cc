@@ -3,6 +3,7 @@
 #include <caudal/base/expression.h>
 #include <caudal/fluid/fluid_snapshot.h>
 #include <caudal/viscous/adaptation.h>
+#include <caudal/viscous/size_check.h>
 #include <caudal/viscous/step_parts.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -79,6 +80,7 @@ namespace caudal
       auto               &triangulation = operators.triangulation;
       flag_cells(triangulation, operators.lattice, body_cells, indicator, parameters, time);
       triangulation.prepare_coarsening_and_refinement();
+      check_growth(triangulation);
       bool changes = false;
       for (const auto &cell : triangulation.active_cell_iterators())
         changes = changes || (cell->is_locally_owned() &&

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/print.h>
+#include <caudal/fluid/boundary_flux.h>
 #include <caudal/io/progress.h>
 #include <caudal/mesh/body_grid.h>
 #include <caudal/viscous/case_check.h>
@@ -29,8 +30,26 @@ namespace caudal
     // Grad-div terms larger than U L/10 by this factor slow down a fish by a tenth or more.
     constexpr double largest_grad_div = 5;
 
+    // Smaller changes of outflows are errors of interpolation.
+    constexpr double least_outflow_change = 1e-6;
+
     // Bodies that are lighter or heavier than the fluid by such factors are likely a wrong unit.
     constexpr double largest_density_ratio = 50;
+
+    /** The direction of the line along @p axis, to two digits: "0, 1". */
+    template <int dim>
+    std::string print_axis(Tensor<1, dim> axis)
+    {
+      unsigned int first = 0;
+      while (first < dim - 1 && std::abs(axis[first]) < 5e-3)
+        ++first;
+      if (axis[first] < 0)
+        axis *= -1;
+      std::string text;
+      for (unsigned int d = 0; d < dim; ++d)
+        text += (d > 0 ? ", " : "") + print_rounded(std::round(100 * axis[d]) / 100 + 0.);
+      return text;
+    }
   } // namespace
 
   template <int dim>
@@ -38,12 +57,16 @@ namespace caudal
       : parameters(operators.parameters)
       , scales(operators.scales)
       , grad_div(operators.space.get_grad_div())
+      , outflow_change(check_boundary_flux(operators.space, operators.parameters.time.end_time))
       , n_cells(n_cells)
       , cell_size(get_finest_cell(parameters.domain))
       , kernel_width(2 * cell_size * operators.coupling.get_support())
   {
     for (const auto &body : operators.bodies)
       bodies.push_back(describe_body(*body));
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      if (operators.space.get_boundary_condition(side).has_velocity())
+        is_crossed[side / 2] = true;
   }
 
   template <int dim>
@@ -115,12 +138,18 @@ namespace caudal
           << " of the fluid's finest cells apart; thickness of";
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
-        out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' '
-            << print_rounded(body.resolution.thinnest[r])
-            << " m = " << print_rounded(body.resolution.thinnest[r] / cell_size) << " cells";
+        const CountedThickness<dim> &thinnest = body.resolution.thinnest[r];
+        out << (r > 0 ? ", " : " ") << body.get_regions()[r] << ' ';
+        if (!std::isfinite(thinnest.thickness))
+        {
+          out << "(inside)";
+          continue;
+        }
+        out << print_rounded(thinnest.thickness) << " m = " << print_rounded(thinnest.n_cells)
+            << " cells";
         if (kernel_width > 0)
-          out << " = " << print_rounded(body.resolution.thinnest[r] / kernel_width)
-              << " kernel widths";
+          out << " = " << print_rounded(thinnest.thickness / kernel_width) << " kernel widths";
+        out << " along (" << print_axis(thinnest.direction) << ')';
       }
       out << ".\n";
       if (body.swims())
@@ -128,15 +157,7 @@ namespace caudal
             << " m of room ahead, enough for "
             << print_rounded(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";
     }
-    if (scales.speed > 0)
-      out << "Flow: U = " << print_rounded(scales.speed)
-          << " m/s (of inflows, initial velocity, swimmers) "
-          << "and L = " << print_rounded(scales.length) << " m give Re = "
-          << print_rounded(scales.speed * scales.length / parameters.fluid.kinematic_viscosity)
-          << "; at that a boundary layer is " << print_rounded(get_boundary_layer())
-          << " m = " << print_rounded(get_boundary_layer() / cell_size)
-          << " of the finest cells thick at its end. "
-          << "Grad-div stabilisation " << print_rounded(grad_div) << " m2/s.\n";
+    print_flow(out);
     out << "Steps: ";
     if (std::isfinite(get_explicit_limit()))
       out << "the explicit scheme takes about " << print_rounded(get_explicit_limit()) << " s; ";
@@ -144,6 +165,25 @@ namespace caudal
         << " s the flow may reach "
         << print_rounded(largest_cfl * 0.5 * cell_size / parameters.time.step) << " m/s, "
         << largest_cfl << " spacings a step, the most that was tried.\n";
+  }
+
+  template <int dim>
+  void CaseCheck<dim>::print_flow(std::ostream &out) const
+  {
+    if (scales.speed == 0)
+      return;
+    if (!scales.is_guess)
+      out << "Flow: U = " << print_rounded(scales.speed)
+          << " m/s (of inflows, initial velocity, swimmers) and L = "
+          << print_rounded(scales.length) << " m give Re = ";
+    else
+      out << "Flow: the beat, and so the speed, is a result. At one length a second, "
+          << print_rounded(scales.speed) << " m/s, Re = ";
+    out << print_rounded(scales.speed * scales.length / parameters.fluid.kinematic_viscosity)
+        << "; the boundary layer grows to about " << print_rounded(get_boundary_layer())
+        << " m = " << print_rounded(get_boundary_layer() / cell_size)
+        << " of the finest cells. Grad-div stabilisation " << print_rounded(grad_div)
+        << " m^2/s.\n";
   }
 
   template <int dim>
@@ -192,26 +232,26 @@ namespace caudal
   {
     for (const BodyOnGrid &body : bodies)
     {
-      if (body.swims() && body.resolution.typical < thinnest_meaningful * cell_size)
+      if (body.swims() && body.resolution.typical.n_cells < thinnest_meaningful)
         warnings.push_back(body.path +
                            ": RESULTS MEAN NOTHING: most of the body is thinner than "
                            "half a cell of the fluid (Coupling/Accept unresolved bodies).");
-      else if (body.swims() && body.resolution.typical < cell_size)
+      else if (body.swims() && body.resolution.typical.n_cells < 1)
         warnings.push_back(body.path + ": most of the body is thinner than a cell of the fluid, " +
-                           print_rounded(body.resolution.typical) +
+                           print_rounded(body.resolution.typical.thickness) +
                            " m: forces and speeds can be wrong by a factor of four. Use a finer "
                            "grid (Domain/Levels).");
       for (unsigned int r = 0; r < body.get_regions().size(); ++r)
       {
+        const CountedThickness<dim> &thinnest = body.resolution.thinnest[r];
         const std::string region = body.path + ": region " + body.get_regions()[r] + " is " +
-                                   print_rounded(body.resolution.thinnest[r]) +
-                                   " m thick at its thinnest, ";
-        if (body.resolution.thinnest[r] < kernel_width)
+                                   print_rounded(thinnest.thickness) + " m thick at its thinnest, ";
+        if (thinnest.thickness < kernel_width)
           warnings.push_back(
               region + "less than the width " + print_rounded(kernel_width) +
               " m of the kernel: it acts as if it were thicker. Use a narrower kernel "
               "(Coupling/Kernel = dirac) or a finer grid (Domain/Levels).");
-        else if (body.resolution.thinnest[r] < least_thickness * cell_size)
+        else if (thinnest.n_cells < least_thickness)
           warnings.push_back(
               region + "less than " + print_rounded(least_thickness) +
               " cells of the fluid: the flow round it is not resolved there. Use a "
@@ -227,7 +267,7 @@ namespace caudal
             body.path + "/Shape/Elements: the body's nodes are " +
             print_rounded(body.resolution.spacing_ratio) +
             " of the fluid's finest cells apart: more motions than the fluid has make "
-            "the body thicker. Give fewer.");
+            "the body thicker, and the solver may fail. Give fewer.");
     }
   }
 
@@ -261,8 +301,7 @@ namespace caudal
   void CaseCheck<dim>::add_wake_warnings(std::vector<std::string> &warnings) const
   {
     const RefinementParameters &refinement = parameters.refinement;
-    if (std::none_of(bodies.begin(), bodies.end(),
-                     [](const BodyOnGrid &body) { return body.swims(); }))
+    if (!has_swimmers())
       return;
     if (refinement.vorticity_threshold == 0)
       warnings.push_back("Refinement/Vorticity threshold is 0: the grid does not follow the wake. "
@@ -276,6 +315,13 @@ namespace caudal
   }
 
   template <int dim>
+  bool CaseCheck<dim>::has_swimmers() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const BodyOnGrid &body) { return body.swims(); });
+  }
+
+  template <int dim>
   double CaseCheck<dim>::get_boundary_layer() const
   {
     return layer_thickness *
@@ -285,21 +331,25 @@ namespace caudal
   template <int dim>
   void CaseCheck<dim>::add_flow_warnings(std::vector<std::string> &warnings) const
   {
+    if (outflow_change > least_outflow_change)
+      warnings.push_back(
+          "Fluid/Boundary conditions: what the prescribed velocities let in and what they "
+          "let out differ by up to " +
+          print_rounded(100 * outflow_change) + " %. The outflow is scaled so that they agree.");
     if (scales.speed == 0)
       return;
-    const bool   swims = std::any_of(bodies.begin(), bodies.end(),
-                                     [](const BodyOnGrid &body) { return body.swims(); });
-    const double usual = scales.get_grad_div();
-    if (swims && grad_div > largest_grad_div * usual)
-      warnings.push_back("Fluid/Grad-div stabilisation: " + print_rounded(grad_div) +
-                         " m2/s are far more than a tenth of speed times length, " +
-                         print_rounded(usual) +
-                         ": they slow the body down. Give automatic, or that.");
     if (!bodies.empty() && get_boundary_layer() < cell_size)
       warnings.push_back(
           "Domain/Levels: the boundary layer, about " + print_rounded(get_boundary_layer()) +
-          " m thick, is thinner than a cell: friction and separation will be those of the grid, "
+          " m thick" + (scales.is_guess ? " at one length a second" : "") +
+          ", is thinner than a cell: friction and separation will be those of the grid, "
           "not of Fluid/Kinematic viscosity. Use finer cells or a larger viscosity.");
+    const double usual = scales.get_grad_div();
+    if (has_swimmers() && grad_div > largest_grad_div * usual)
+      warnings.push_back("Fluid/Grad-div stabilisation: " + print_rounded(grad_div) +
+                         " m^2/s are far more than a tenth of speed times length, " +
+                         print_rounded(usual) +
+                         ": they slow the body down. Give automatic, or that.");
     const double spacings = scales.speed * parameters.time.step / (0.5 * cell_size);
     if (spacings > largest_cfl)
       warnings.push_back("Time/Step: at " + print_rounded(scales.speed) + " m/s the flow passes " +
@@ -325,18 +375,43 @@ namespace caudal
                            print_rounded(scales.speed) +
                            " m/s, to which it gives way like a fluid. If that is not meant, give "
                            "its moduli in Pa.");
-      if (is_symmetric(solid) && body.spring_frequency == 0 && !body.body.swims() &&
-          solid.get_excess_density() != 0 && solid.get_parameters().traction.empty())
+      const unsigned int mirror = find_mirror(solid);
+      if (mirror < dim && body.is_free() && !body.swims() && solid.get_excess_density() != 0 &&
+          solid.get_parameters().traction.empty())
+      {
+        std::string push;
+        for (unsigned int d = 0; d < dim; ++d)
+          push += (d > 0 ? "; " : "") + std::string(d == mirror ? "if(t < 0.1, 1e-3, 0)" : "0");
         warnings.push_back(
-            body.path + " is free and lies symmetrically in the domain: so its wake stays, and "
-                        "a body that would swerve does not, and is too fast. Give it a small push "
-                        "by the entry Traction, such as <if(t < 0.1, 1e-3, 0); 0> Pa.");
+            body.path +
+            " is free and lies symmetrically in the domain: so its wake stays, and "
+            "a body that would swerve does not, and is too fast. Give it a small push "
+            "by the entry Traction, such as <" +
+            push + "> Pa.");
+      }
+      if (body.body.has_gait() && body.body.has_muscle())
+        warnings.push_back(body.path +
+                           "/Muscle/Type: the body follows its gait whatever the muscle does. Set "
+                           "it to none, or Gait/Type.");
     }
   }
 
-  /** Whether the reflection at a plane in the middle of the domain maps the body on itself. */
   template <int dim>
-  bool CaseCheck<dim>::is_symmetric(const SolidBody<dim> &solid) const
+  bool CaseCheck<dim>::BodyOnGrid::is_free() const
+  {
+    const SolidBody<dim> &solid = body.get_solid();
+    for (unsigned int dof = 0; dof < solid.n_dofs(); ++dof)
+      if (solid.is_fixed(dof))
+        return false;
+    return spring_frequency == 0;
+  }
+
+  /**
+   * The normal's number of a plane in the middle of the domain at which the body is its own mirror
+   * image, and which no prescribed velocity crosses; dim if there is none.
+   */
+  template <int dim>
+  unsigned int CaseCheck<dim>::find_mirror(const SolidBody<dim> &solid) const
   {
     std::vector<Point<dim>> nodes;
     for (const auto &node : solid.get_nodes())
@@ -351,14 +426,16 @@ namespace caudal
     const std::set<Point<dim>, decltype(precedes)> places(nodes.begin(), nodes.end(), precedes);
     for (unsigned int d = 0; d < dim; ++d)
     {
+      if (is_crossed[d])
+        continue;
       const double middle = parameters.domain.lower_corner[d] + 0.5 * parameters.domain.size[d];
       if (std::all_of(nodes.begin(), nodes.end(), [&](Point<dim> node) {
             node[d] = 2 * middle - node[d];
             return places.count(node) > 0;
           }))
-        return true;
+        return d;
     }
-    return false;
+    return dim;
   }
 
   template class CaseCheck<2>;

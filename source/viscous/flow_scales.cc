@@ -12,6 +12,9 @@ namespace caudal
     // 0.2/0.3 lengths a beat (Triantafyllou et al. 1993, doi:10.1006/jfls.1993.1012).
     constexpr double lengths_per_beat = 0.2 / 0.3;
 
+    // What fish of all sizes reach in steady swimming (Bainbridge 1958, doi:10.1242/jeb.35.1.109).
+    constexpr double lengths_per_second = 1;
+
     // Functions are looked at in so many points of a direction, and at so many times.
     constexpr unsigned int n_points = 9;
 
@@ -60,7 +63,10 @@ namespace caudal
   template <int dim>
   double estimate_swimming_speed(const Body<dim> &body)
   {
-    return body.swims() ? lengths_per_beat * body.get_length() * body.get_beat_frequency() : 0;
+    if (!body.swims())
+      return 0;
+    const double frequency = body.get_beat_frequency();
+    return body.get_length() * (frequency > 0 ? lengths_per_beat * frequency : lengths_per_second);
   }
 
   template <int dim>
@@ -73,7 +79,12 @@ namespace caudal
                                          parameters.domain));
     for (const auto &body : bodies)
     {
-      scales.speed  = std::max(scales.speed, estimate_swimming_speed(*body));
+      const double speed = estimate_swimming_speed(*body);
+      if (speed > scales.speed)
+      {
+        scales.speed    = speed;
+        scales.is_guess = body->get_beat_frequency() == 0;
+      }
       scales.length = std::max(scales.length, body->get_length());
     }
     if (bodies.empty())

@@ -295,8 +295,9 @@ namespace caudal
           << std::endl;
 
     observers.print_warnings();
-    print_costs(state.time.get_step_number() - first_step, state.time.get_time() - start,
-                observers.template get<TailBeats<dim>>().get_last_period(), log.get_stream());
+    if (state.time.get_step_number() > first_step)
+      print_costs(state.time.get_step_number() - first_step, state.time.get_time() - start,
+                  observers.template get<TailBeats<dim>>().get_last_period(), log.get_stream());
     return state.time.is_at_end() ? Outcome::finished : Outcome::stopped;
   }
 
@@ -317,17 +318,15 @@ namespace caudal
   template <int dim>
   void ImmersedSwimmer<dim>::write_last_state(Log &log)
   {
-    log << "The last good state, at t = " << state.time.get_time() << " s, is written as fields "
-        << "and as a checkpoint." << std::endl;
-    try
-    {
-      write_checkpoint();
-      observers.finish(observe());
-    }
-    catch (const std::exception &)
-    {
-      log << "It could not be written." << std::endl; // for the reason that ended the run
-    }
+    // One may fail for the reason that ended the run.
+    const bool has_checkpoint = catch_error([&]() { write_checkpoint(); }).empty();
+    const bool has_fields     = catch_error([&]() { observers.finish(observe()); }).empty();
+    log << "The last good state, at t = " << state.time.get_time() << " s, is written "
+        << (has_checkpoint && has_fields ? "as fields and as a checkpoint"
+            : has_checkpoint             ? "as a checkpoint, but not as fields"
+            : has_fields                 ? "as fields, but not as a checkpoint"
+                                         : "neither as a checkpoint nor as fields")
+        << "." << std::endl;
   }
 
   template <int dim>

@@ -54,9 +54,27 @@ namespace caudal
                  "Give fewer levels or fewer Domain/Cells.");
   }
 
+  template <int dim>
+  void check_growth(const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    const MPI_Comm communicator = compatibility::get_communicator(triangulation);
+    double         n_new        = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->refine_flag_set())
+        n_new += GeometryInfo<dim>::max_children_per_cell - 1;
+    n_new                = Utilities::MPI::sum(n_new, communicator);
+    const double n_cells = triangulation.n_global_active_cells();
+    check_memory(communicator, n_new * bytes_of_cell<dim>,
+                 "Refinement: to " + print_rounded(n_cells) + " cells of the fluid " +
+                     print_rounded(n_new) + " are to be added",
+                 "Give a smaller Refinement/Level expression, fewer Domain/Levels, or a smaller "
+                 "Largest number of cells.");
+  }
+
 #define INSTANTIATE(dim)                                                                           \
   template void check_sizes(const RunParameters<dim> &, MPI_Comm);                                 \
-  template void check_fluid_size(const RunParameters<dim> &, const Bodies<dim> &, MPI_Comm);
+  template void check_fluid_size(const RunParameters<dim> &, const Bodies<dim> &, MPI_Comm);       \
+  template void check_growth(const parallel::distributed::Triangulation<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -46,7 +46,10 @@ void report(const std::string &name, const Entries &entries, const double volume
   std::vector<double> region_volumes(n_regions);
   for (const auto &cell : tria.active_cell_iterators())
     region_volumes[cell->material_id()] += cell->measure();
-  const BodyExtent extent = compute_extent(tria);
+  const BodyExtent<dim> extent = compute_extent(tria);
+  std::vector<double>   thickness(n_regions, std::numeric_limits<double>::infinity());
+  for (const FaceThickness<dim> &face : extent.faces)
+    thickness[face.region] = std::min(thickness[face.region], face.thickness);
 
   std::cout << name << ": " << tria.n_levels() << " level, " << tria.n_active_cells()
             << " cells, length " << round_to(extent.length, 1e-4) << " m, smallest scaled Jacobian "
@@ -54,7 +57,7 @@ void report(const std::string &name, const Entries &entries, const double volume
             << round_to(1e2 * (GridTools::volume(tria) / volume - 1.), 1e-2) << " %\n  regions:";
   for (unsigned int r = 0; r < n_regions; ++r)
     std::cout << ' ' << round_to(region_volumes[r] / volume, 1e-4) << " of the volume, "
-              << round_to(extent.region_thickness[r], 1e-4) << " m thick;";
+              << round_to(thickness[r], 1e-4) << " m thick;";
   std::cout << std::endl;
 }
 

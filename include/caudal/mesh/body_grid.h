@@ -54,29 +54,30 @@ namespace caudal
   Point<dim> place_in_domain(const BodyGridParameters<dim> &parameters,
                              const Point<dim>              &reference_point);
 
-  /** Lengths of a body [m]. */
+  /**
+   * How thick a body is at a face of its boundary: the distance from the face's centre, along the
+   * inward normal, to the opposite side, which looks the other way.
+   */
+  template <int dim>
+  struct FaceThickness
+  {
+    double         thickness; // [m]
+    Tensor<1, dim> direction; // the normal, in the body's own frame
+    double         area;      // of the face [m^(dim-1)]
+    unsigned int   region;
+  };
+
+  /** Lengths of a body. */
+  template <int dim>
   struct BodyExtent
   {
-    /** Along the axis x. */
-    double length;
+    double length = 0; ///< along the axis x [m]
 
-    /**
-     * The smallest thickness of the body in each region: the smallest distance
-     * from the centre of one of the region's boundary faces, along the inward
-     * normal, to the opposite side, which looks the other way. Infinite for a region inside the
-     * body.
-     */
-    std::vector<double> region_thickness;
-
-    /** The smallest of all. */
-    double thinnest;
-
-    /** The median of these distances over the whole boundary, by area. */
-    double typical_thickness;
+    std::vector<FaceThickness<dim>> faces; ///< of the whole boundary
   };
 
   template <int dim>
-  BodyExtent compute_extent(const Triangulation<dim> &tria);
+  BodyExtent<dim> compute_extent(const Triangulation<dim> &tria);
 
   /**
    * The smallest scaled Jacobian of the grid, over all corners of all cells:

@@ -52,7 +52,7 @@ namespace caudal
       return parameters;
     }
     /** Its lengths at rest; to measure them takes a time as the square of the number of faces. */
-    const BodyExtent &get_extent() const
+    const BodyExtent<dim> &get_extent() const
     {
       return extent;
     }
@@ -67,6 +67,10 @@ namespace caudal
     bool has_gait() const
     {
       return gait->is_prescribed();
+    }
+    bool has_muscle() const
+    {
+      return muscle->has_force() || muscle->has_active_stress();
     }
     /** Whether muscle or gait count the arc length from x = 0 of the body's frame. */
     bool counts_from_nose() const
@@ -146,7 +150,7 @@ namespace caudal
   private:
     const BodyParameters<dim>              &parameters;
     SolidBody<dim>                          solid;
-    const BodyExtent                        extent;
+    const BodyExtent<dim>                   extent;
     std::unique_ptr<Muscle<dim>>            muscle;
     std::unique_ptr<Gait>                   gait;
     std::unique_ptr<Controller>             controller;

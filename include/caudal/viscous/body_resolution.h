@@ -4,17 +4,29 @@
 
 #include <caudal/viscous/operators.h>
 
+#include <limits>
+
 namespace caudal
 {
+  /** The thickness of a body in metres, and in the fluid's finest cells in its direction. */
+  template <int dim>
+  struct CountedThickness
+  {
+    double         thickness = std::numeric_limits<double>::infinity(); // [m]
+    double         n_cells   = std::numeric_limits<double>::infinity();
+    Tensor<1, dim> direction; // in the domain
+  };
+
   /** How fine fluid and body are beside each other. */
+  template <int dim>
   struct BodyResolution
   {
     /** The mean distance of the body's nodes, in cells of the fluid's finest level. */
     double spacing_ratio = 0;
-    /** The regions at their thinnest [m]. */
-    std::vector<double> thinnest;
-    /** The body over most of its surface, see BodyExtent [m]. */
-    double typical = 0;
+    /** The regions where they have the fewest cells; infinite for a region inside the body. */
+    std::vector<CountedThickness<dim>> thinnest;
+    /** The median over the whole surface. */
+    CountedThickness<dim> typical;
   };
 
   // What was measured with Turek and Hron's flag (prm/benchmarks/README.md): three cells of the
@@ -30,7 +42,8 @@ namespace caudal
   double get_finest_cell(const DomainParameters<dim> &domain);
 
   template <int dim>
-  BodyResolution measure_resolution(const Body<dim> &body, const DomainParameters<dim> &domain);
+  BodyResolution<dim> measure_resolution(const Body<dim>             &body,
+                                         const DomainParameters<dim> &domain);
 
   /**
    * Throws a sentence if most of a body that swims is thinner than half a cell of the fluid, which

@@ -4,6 +4,8 @@
 
 #include <caudal/viscous/body_resolution.h>
 
+#include <array>
+
 namespace caudal
 {
   /** Costs of a few steps from the start. */
@@ -38,12 +40,15 @@ namespace caudal
     {
       const Body<dim>         &body;
       std::string              path;
-      BodyResolution           resolution;
+      BodyResolution<dim>      resolution;
       double                   room_ahead       = 0;  // to the side that it swims to [m]
       double                   nearest_side     = 0;  // [m]
       double                   wave_speed       = 0;  // of the fastest elastic waves [m/s]
       double                   spring_frequency = 0;  // of its feedback springs [rad/s]
       std::vector<std::string> remarks          = {}; // on its materials
+
+      /** Whether no spring and no fixed region holds it. */
+      bool is_free() const;
 
       bool swims() const
       {
@@ -57,10 +62,12 @@ namespace caudal
 
     const RunParameters<dim> &parameters;
     const FlowScales          scales;
-    const double              grad_div; // [m^2/s]
+    const double              grad_div;       // [m^2/s]
+    const double              outflow_change; // of prescribed outflows, to balance inflows
     const double              n_cells;
     const double              cell_size, kernel_width; // on the finest level [m]
     std::vector<BodyOnGrid>   bodies;
+    std::array<bool, dim>     is_crossed{}; // planes by the number of their normals, see below
 
     BodyOnGrid describe_body(const Body<dim> &body) const;
     void       measure_room(BodyOnGrid &body) const;
@@ -69,7 +76,9 @@ namespace caudal
     void       add_wake_warnings(std::vector<std::string> &warnings) const;
     void       add_flow_warnings(std::vector<std::string> &warnings) const;
     void       add_body_warnings(std::vector<std::string> &warnings) const;
-    bool       is_symmetric(const SolidBody<dim> &solid) const;
+    unsigned   find_mirror(const SolidBody<dim> &solid) const;
+    void       print_flow(std::ostream &out) const;
+    bool       has_swimmers() const;
     double     get_boundary_layer() const; // [m]
     double     get_explicit_limit() const; // [s]
   };

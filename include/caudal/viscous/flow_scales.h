@@ -12,6 +12,9 @@ namespace caudal
     double speed  = 0; ///< [m/s]; 0: not known
     double length = 0; ///< of the longest body, without bodies the domain's shortest side [m]
 
+    /** Whether the speed is that of a swimmer whose beat, and so its speed, is a result. */
+    bool is_guess = false;
+
     /**
      * The coefficient of the grad-div term, U L/10 [m^2/s], or 1 m^2/s if U is not known. More
      * stiffens the cells that the body's faces cut (prm/benchmarks/README.md); for bodies that
@@ -27,7 +30,8 @@ namespace caudal
   template <int dim>
   using Bodies = std::vector<std::unique_ptr<const Body<dim>>>;
 
-  /** A speed at which the body is likely to swim [m/s]; 0 if its beat is not known. */
+  /** A speed at which the body is likely to swim [m/s]: a length a second if its beat is a result.
+   */
   template <int dim>
   double estimate_swimming_speed(const Body<dim> &body);
 

@@ -17,6 +17,10 @@ namespace caudal
   template <int dim>
   void check_fluid_size(const RunParameters<dim> &parameters, const Bodies<dim> &bodies,
                         MPI_Comm communicator);
+
+  /** Throws a sentence if it does not suffice for the cells that are flagged to be refined. */
+  template <int dim>
+  void check_growth(const parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace caudal
 
 #endif
