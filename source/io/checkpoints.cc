@@ -152,7 +152,7 @@ namespace caudal
                 : "";
         if (!damage.empty())
           damages.push_back("<" + name + ">" + damage +
-                            ". What it still holds is kept; the rest can't be restored.");
+                            (reason.empty() ? ". What is left of it is kept." : "."));
       }
       return damages;
     }

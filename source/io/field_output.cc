@@ -76,6 +76,7 @@ namespace caudal
       DataOutBase::DataOutFilter filter(DataOutBase::DataOutFilterFlags(false, true));
       data_out.write_filtered_data(filter);
       data_out.write_hdf5_parallel(filter, folder.add(file), communicator);
+      run_on_root(communicator, [&]() { synchronise(folder.path(file)); });
 
       std::string entry = compatibility::get_xdmf_content<dim>(
           data_out.create_xdmf_entry(filter, file, time, communicator));
@@ -159,9 +160,11 @@ namespace caudal
       {
         std::smatch match;
         if (std::regex_search(entry, match, file_name) &&
-            !std::filesystem::exists(folder.path(match.str())))
-          sentences.push_back("<" + match.str() + "> is missing, which holds the fields of " +
-                              name + " at t = " + std::to_string(time) + " s.");
+            (!std::filesystem::exists(folder.path(match.str())) ||
+             std::filesystem::file_size(folder.path(match.str())) == 0))
+          sentences.push_back("<" + match.str() +
+                              "> is missing or empty, which holds the fields of " + name +
+                              " at t = " + std::to_string(time) + " s.");
       }
     return Utilities::MPI::broadcast(communicator, sentences);
   }

@@ -96,14 +96,14 @@ namespace caudal
       if (is_at_start && clears_line)
         terminal->sputn("\033[K", 3);
       is_at_start = (c == '\n');
-      file->sputc(c);
-      return terminal->sputc(c);
+      terminal->sputc(c); // which may be closed: the file goes on
+      return file->sputc(c);
     }
 
     int sync() override
     {
-      file->pubsync();
-      return terminal->pubsync();
+      terminal->pubsync();
+      return file->pubsync();
     }
 
     std::streambuf *const terminal;

@@ -49,11 +49,15 @@ namespace caudal
       return false;
     }
 
-    /** The first of folder.1, folder.2, ... that is free; beside a folder given as "folder/", too.
-     */
-    fs::path find_free_name(const fs::path &folder)
+    /** The name of a folder that may be given as "folder/". */
+    fs::path get_base(const fs::path &folder)
     {
-      const fs::path base = folder.has_filename() ? folder : folder.parent_path();
+      return folder.has_filename() ? folder : folder.parent_path();
+    }
+
+    /** The first of folder.1, folder.2, ... that is free. */
+    fs::path find_free_name(const fs::path &base)
+    {
       for (unsigned int k = 1;; ++k)
       {
         const fs::path name = base.string() + "." + std::to_string(k);
@@ -230,7 +234,9 @@ namespace caudal
   void OutputFolder::make_room(const Progress progress, const ExistingResults existing)
   {
     const bool        can_be_resumed = progress == Progress::unfinished && has_checkpoints(folder);
-    const fs::path    kept           = find_free_name(folder);
+    const fs::path    name           = get_base(folder);
+    const fs::path    place          = fs::is_symlink(name) ? fs::canonical(name) : name;
+    const fs::path    kept           = find_free_name(place);
     const std::string replace        = "by Output/Existing results = replace, which removes it";
     if (can_be_resumed && existing != ExistingResults::replace)
       throw std::runtime_error("it holds an unfinished run. Go on with it by caudal --resume " +
@@ -240,8 +246,12 @@ namespace caudal
                                ", or = number, which keeps it as " + kept.string() + ".");
     if (existing == ExistingResults::number)
     {
-      fs::rename(folder, kept);
-      fs::create_directories(folder);
+      if (fs::equivalent(place, fs::current_path()))
+        throw std::runtime_error("it is the working directory, which can't be kept as another one. "
+                                 "Give a folder of its own, or start afresh " +
+                                 replace + ".");
+      fs::rename(place, kept);
+      fs::create_directories(place);
       lock.reset();
       lock = std::make_unique<Lock>(folder);
       fs::remove(kept / lock_name);
@@ -315,6 +325,8 @@ namespace caudal
 
   OutputFolder::Progress OutputFolder::find_progress(const std::string &path)
   {
-    return Manifest(path).get_progress();
+    // Checkpoints are worth more than the list of what was written, which may be lost.
+    const Progress progress = Manifest(path).get_progress();
+    return progress == Progress::none && has_checkpoints(path) ? Progress::unfinished : progress;
   }
 } // namespace caudal

@@ -31,7 +31,10 @@ namespace caudal
     if (!rows.empty())
       replace_file(file_name, rows);
     size = rows.size();
-    file.open(file_name, rows.empty() ? std::ios::trunc : std::ios::app);
+    if (rows.empty())
+      std::ofstream(file_name, std::ios::trunc);
+    // At the end of the file: if somebody else empties it, its size tells.
+    file.open(file_name, std::ios::app);
     file << std::flush;
     AssertThrow(file, ExcMessage("The statistics file <" + file_name + "> can't be written."));
   }
@@ -41,14 +44,19 @@ namespace caudal
     std::string       text;
     const std::string reason = catch_file_error([&]() { text = read_whole_file(file_name); });
     if (!reason.empty() && !file_name.empty())
-      damages.push_back(reason + ". A new table begins.");
+    {
+      AssertThrow(
+          !std::filesystem::exists(file_name),
+          ExcMessage(reason + ". Its rows would be lost: see what is wrong with the disk."));
+      damages.push_back("<" + file_name + "> is missing. A new table begins.");
+    }
     text.erase(text.rfind('\n') + 1); // the last row may have been cut off
 
     // A row counts as one up to the time even if its ten digits round it up.
     const double       latest = time + 1e-9 * std::abs(time);
     std::istringstream old(text);
     std::string        rows;
-    unsigned int       number = 0;
+    unsigned int       number = 0, n_damaged = 0, first_damaged = 0;
     for (std::string line; std::getline(old, line);)
     {
       ++number;
@@ -60,8 +68,8 @@ namespace caudal
         const std::vector<double> numbers{std::istream_iterator<double>(words), {}};
         if (numbers.size() != headers.size() || numbers.empty())
         {
-          damages.push_back("<" + file_name + ">, line " + std::to_string(number) +
-                            ": the row is damaged and was left out.");
+          if (n_damaged++ == 0)
+            first_damaged = number;
           continue;
         }
         if (!(numbers[0] <= latest))
@@ -69,6 +77,15 @@ namespace caudal
         last_time = numbers[0];
       }
       rows += line + "\n";
+    }
+    if (n_damaged > 0)
+    {
+      damaged_file = find_earlier_name();
+      std::filesystem::copy_file(file_name, damaged_file);
+      damages.push_back("<" + file_name + ">: " + std::to_string(n_damaged) +
+                        " of its lines can't be read as rows and were left out, the first one is " +
+                        std::to_string(first_damaged) + ". The file as it was is kept as <" +
+                        damaged_file + ">.");
     }
     return rows;
   }
@@ -106,19 +123,25 @@ namespace caudal
     row.push_back(value);
   }
 
+  std::string Statistics::find_earlier_name() const
+  {
+    const std::filesystem::path name(file_name);
+    std::string                 result = file_name;
+    for (unsigned int k = 1; std::filesystem::exists(result); ++k)
+      result = (name.parent_path() / name.stem()).string() + "-" + std::to_string(k) +
+               name.extension().string();
+    return result;
+  }
+
   void Statistics::begin_new_table()
   {
     has_rows = false;
     if (!file.is_open())
       return;
-    namespace fs = std::filesystem;
-    const fs::path name(file_name);
-    for (unsigned int k = 1; earlier_file.empty() || fs::exists(earlier_file); ++k)
-      earlier_file = (name.parent_path() / name.stem()).string() + "-" + std::to_string(k) +
-                     name.extension().string();
+    earlier_file = find_earlier_name();
     file.close();
-    fs::rename(name, earlier_file);
-    file.open(file_name, std::ios::trunc);
+    std::filesystem::rename(file_name, earlier_file);
+    file.open(file_name, std::ios::app);
     size = 0;
   }
 

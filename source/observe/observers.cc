@@ -25,6 +25,8 @@ namespace caudal
       const bool is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
       statistics.emplace(is_root ? folder.add_table("statistics.txt") : "",
                          is_resumed ? observation.time : -1);
+      if (!statistics->get_damaged_file().empty())
+        folder.add(std::filesystem::path(statistics->get_damaged_file()).filename());
     });
     for (const std::string &damage : statistics->get_damages())
       log << "Warning: " << damage << std::endl;

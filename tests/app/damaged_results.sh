@@ -17,6 +17,10 @@ resume() {
   grep "^Warning" printed | grep -v Elements | sed 's/^/    /'
   cmp results/statistics.txt whole/statistics.txt >/dev/null && echo "    the same table"
   cmp results/solution.pvd whole/solution.pvd >/dev/null && echo "    the same list of fields"
+  [ "$2" = keep ] || new
+}
+
+new() {
   rm -rf results
   cp -r half results
 }
@@ -41,5 +45,24 @@ rm results/fields/disc-00001.vtu
 resume "a file of fields is gone"
 rm results/parameters.prm
 resume "the parameters are gone"
+: >results/parameters.prm
+resume "the parameters are emptied"
+head -n 40 results/parameters.prm >cut && mv cut results/parameters.prm
+resume "the parameters were cut off"
+rm results/manifest.txt
+resume "the list of what was written is gone"
+sed -i 1,5d results/statistics.txt
+resume "the head of the table is damaged" keep
+echo "    rows that are kept beside it: $(grep -cv '^#' results/statistics-1.txt)"
+new
 printf 'X' | dd of=results/restart/step-00000005/parameters.prm bs=1 seek=50 conv=notrunc 2>/dev/null
 resume "the only checkpoint is damaged"
+
+echo "* the table is emptied while the run writes to it"
+rm -rf results
+"$CAUDAL" disc.prm -D "Time/End time=1000" >printed 2>errors &
+run=$!
+while [ "$(cat results/statistics.txt 2>/dev/null | wc -l)" -lt 60 ]; do sleep 0.05; done
+: >results/statistics.txt
+wait $run
+echo "    exit code $?: $(grep ^Error errors)"

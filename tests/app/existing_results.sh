@@ -54,6 +54,13 @@ run disc.prm -D "Output/Folder=slash/" -D "Time/End time=0.01"
 run disc.prm -D "Output/Folder=slash/" -D "Time/End time=0.02"
 echo "    $(ls -d slash*), at $(last_time slash) and $(last_time slash.1)"
 
+echo "* the working directory can't be kept as another one"
+mkdir here
+for i in 1 2; do
+  (cd here && "$CAUDAL" ../disc.prm -D Output/Folder=. -D "Time/End time=0.01" >../printed 2>../errors)
+  echo "    exit code $?: $(grep ^Error errors)"
+done
+
 echo "* an unfinished run is replaced on demand"
 "$CAUDAL" --resume results -D "Time/End time=5" -D "Checkpoint/Wall time limit=1e-9" >printed 2>errors
 run disc.prm -D "Time/End time=0.02" -D "Output/Existing results=replace"

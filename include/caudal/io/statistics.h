@@ -53,6 +53,12 @@ namespace caudal
       return earlier_file;
     }
 
+    /** The name of the file that has the damaged lines of the earlier run, or nothing. */
+    const std::string &get_damaged_file() const
+    {
+      return damaged_file;
+    }
+
     /** Sentences about what was wrong with the rows of the earlier run. */
     const std::vector<std::string> &get_damages() const
     {
@@ -66,12 +72,13 @@ namespace caudal
     std::vector<double>      row;     // what is set of the coming one
     bool                     has_rows;
     std::vector<std::string> old_headers; // of the earlier run, until the first row is written
-    std::string              earlier_file;
+    std::string              earlier_file, damaged_file;
     double                   last_time = -1; // [s] of the rows that were kept
     std::size_t              size      = 0;  // of the file [bytes]
     std::vector<std::string> damages;
 
     std::string read_rows(double time);
+    std::string find_earlier_name() const;
     void        begin_new_table();
   };
 } // namespace caudal
