@@ -4,6 +4,7 @@
 #include <caudal/base/collective.h>
 #include <caudal/base/command_line.h>
 #include <caudal/base/declared_parameters.h>
+#include <caudal/base/parameter_text.h>
 #include <caudal/base/safe_file.h>
 #include <caudal/base/version.h>
 #include <caudal/ideal/ideal_swimmer.h>
@@ -14,6 +15,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <dlfcn.h>
+#include <filesystem>
 #include <iostream>
 #include <malloc.h>
 #include <mutex>
@@ -43,7 +45,9 @@ namespace
   {
     for (const int signal :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPIPE, SIGALRM})
-      std::signal(signal, handler);
+      // nohup, for one, asks to ignore a signal; the shell asks so for what runs behind it.
+      if (std::signal(signal, handler) == SIG_IGN && signal != SIGPIPE)
+        std::signal(signal, SIG_IGN);
   }
 
   /** The answer before the first step, while grids are built: there is nothing to save. */
@@ -171,8 +175,15 @@ namespace
                            "a run's results."));
     const std::string name = command_line.folder + "/parameters.prm";
     run_on_root(MPI_COMM_WORLD, [&]() {
-      if (!catch_file_error([&]() { read_whole_file(name); }).empty())
-        replace_file(name, find_newest_parameters(command_line.folder));
+      std::string       text;
+      const std::string reason = catch_file_error([&]() { text = read_text_file(name); });
+      if (reason.empty() && is_whole_parameter_file(text))
+        return;
+      if (std::filesystem::exists(name))
+        std::filesystem::rename(name, name + ".damaged");
+      replace_file(name, find_newest_parameters(command_line.folder));
+      std::cerr << "Warning: <" << name
+                << "> was missing or damaged; it is that of the newest checkpoint now.\n";
     });
     std::vector<std::string> overrides = command_line.overrides;
     overrides.push_back("Output/Folder=" + command_line.folder);
@@ -195,10 +206,9 @@ namespace
     using Action                   = CommandLine::Action;
     const CommandLine command_line = parse_command_line(argc, argv);
     // What only prints ends quietly, as if its output goes to `head`, which has seen enough.
-    const bool only_prints = command_line.action == Action::help ||
-                             command_line.action == Action::version ||
-                             command_line.action == Action::print_parameters ||
-                             command_line.action == Action::check;
+    const bool only_prints =
+        command_line.action == Action::help || command_line.action == Action::version ||
+        command_line.action == Action::print_parameters || command_line.action == Action::check;
     if (only_prints)
       catch_signals(SIG_DFL);
     if (command_line.action == Action::help || command_line.action == Action::version)

@@ -48,8 +48,8 @@ namespace caudal
     };
     AssertThrow(!name.empty() && std::all_of(name.begin(), name.end(), is_allowed),
                 ExcMessage(path + ": the name <" + name +
-                           "> can't be part of the names of files. Use letters, digits, '_' and "
-                           "'-' only."));
+                           "> can't be part of the names of files. Use letters, digits, blanks, "
+                           "'_', '-' and '+' only."));
   }
 
   void check_between(const std::string &path, const double value, const double lowest,

@@ -83,9 +83,9 @@ namespace caudal
     MPI_Comm_free(&machine);
     const double free = Utilities::MPI::min(get_free_memory(n_here), communicator) *
                         Utilities::MPI::n_mpi_processes(communicator);
-    AssertThrow(need <= free,
-                ExcMessage(what + ", which needs at least " + print_size(need) +
-                           " of memory, and " + print_size(free) + " are free. " + remedy));
+    AssertThrow(need <= free, ExcMessage(what + ", for which at least " + print_size(need) +
+                                         " of memory are needed, and " + print_size(free) +
+                                         " are free. " + remedy));
   }
 
   std::string describe_lack_of_memory()

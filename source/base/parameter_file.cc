@@ -424,6 +424,8 @@ namespace caudal
   void ParameterFile::read_override(const std::string &text)
   {
     const std::string origin = "-D \"" + text + "\"";
+    AssertThrow(find_invalid_utf8(text) == std::string::npos,
+                ExcMessage(origin + ": it is no text in UTF-8. Give it in this encoding."));
     const std::size_t equals = text.find('=');
     Sections          names  = Utilities::split_string_list(text.substr(0, equals), '/');
     std::transform(names.begin(), names.end(), names.begin(), tidy_name);

@@ -46,6 +46,22 @@ namespace caudal
     return !line.empty();
   }
 
+  bool is_whole_parameter_file(const std::string &text)
+  {
+    std::istringstream stream(text);
+    std::string        line;
+    unsigned int       number = 0, next_number = 1, n_entries = 0;
+    int                depth = 0;
+    while (depth >= 0 && read_line(stream, line, number, next_number))
+      if (line.rfind("subsection ", 0) == 0)
+        ++depth;
+      else if (line == "end")
+        --depth;
+      else
+        ++n_entries;
+    return n_entries > 0 && depth == 0;
+  }
+
   std::string write_out_whole_numbers(const std::string &text)
   {
     static const std::regex scientific(R"(\d+(\.\d*)?[eE]\+?\d+)");

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iomanip>
@@ -112,10 +113,39 @@ namespace caudal
     }
   }
 
+  std::size_t find_invalid_utf8(const std::string &text)
+  {
+    const auto continues = [&](const std::size_t i) {
+      return i < text.size() && (text[i] & 0xC0) == 0x80;
+    };
+    for (std::size_t i = 0; i < text.size();)
+    {
+      const unsigned char first  = text[i];
+      const std::size_t   length = first < 0x80                    ? 1
+                                   : first >= 0xC2 && first < 0xE0 ? 2
+                                   : first >= 0xE0 && first < 0xF0 ? 3
+                                   : first >= 0xF0 && first < 0xF5 ? 4
+                                                                   : 0;
+      if (length == 0)
+        return i;
+      for (std::size_t k = 1; k < length; ++k)
+        if (!continues(i + k))
+          return i;
+      i += length;
+    }
+    return std::string::npos;
+  }
+
   std::string read_text_file(const std::filesystem::path &path)
   {
     const std::string byte_order_mark = "\xEF\xBB\xBF";
     std::string       text            = read_whole_file(path);
+    const std::size_t invalid         = find_invalid_utf8(text);
+    if (invalid != std::string::npos)
+      throw std::runtime_error(
+          "<" + path.string() + "> is no text in UTF-8 (line " +
+          std::to_string(1 + std::count(text.begin(), text.begin() + invalid, '\n')) +
+          "); save it in this encoding");
     if (text.rfind(byte_order_mark, 0) == 0)
       text.erase(0, byte_order_mark.size());
     for (const auto &[foreign, plain] :

@@ -98,6 +98,42 @@ echo "= fluxes"
 refuse "an inflow without outflow" good.prm -D "Fluid/Boundary conditions/right=wall"
 refuse "one from a time on" good.prm -D "Fluid/Boundary conditions/right=wall" \
   -D "Fluid/Inflow velocity=if(t>0.5,1,0); 0"
+warn "fluxes that differ by half a percent" -D "Fluid/Boundary conditions/right=inflow" \
+  -D "Fluid/Boundary conditions/Right inflow/Velocity=1.005; 0"
+cat >tank.prm <<'END'
+subsection Time
+  set End time = 0.01
+  set Step     = 0.005
+end
+subsection Domain
+  set Size   = 4, 2
+  set Cells  = 4, 2
+  set Levels = 1
+end
+subsection Fluid
+  set Density             = 1
+  set Kinematic viscosity = 1
+  set Initial velocity    = 1; 0
+  set Inflow velocity     = 1; 0
+  set Probes              = 3.9, 1
+  subsection Boundary conditions
+    set left   = inflow
+    set right  = inflow
+    set bottom = free slip
+    set top    = free slip
+    subsection Right inflow
+      set Velocity = 1.005; 0
+    end
+  end
+end
+subsection Output
+  set Folder = results
+end
+END
+echo "* what flows out then is what flows in"
+"$CAUDAL" tank.prm >printed 2>&1
+echo "    $(last "u at probe 1" results/statistics.txt) m/s"
+rm -rf results
 
 echo "= values"
 warn "nothing"

@@ -19,6 +19,9 @@ namespace caudal
    */
   bool read_line(std::istream &stream, std::string &line, unsigned int &number, unsigned int &next);
 
+  /** Whether @p text has entries, and each subsection has its end. */
+  bool is_whole_parameter_file(const std::string &text);
+
   /** The text with whole numbers like 1e5 or 2.5e3 written out. */
   std::string write_out_whole_numbers(const std::string &text);
 } // namespace caudal

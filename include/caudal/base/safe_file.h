@@ -38,6 +38,9 @@ namespace caudal
   /** The CRC-32 sum of a text, in hexadecimal digits. */
   std::string compute_checksum(const std::string &text);
 
+  /** The place of the first byte that is not part of UTF-8 text; npos if there is none. */
+  std::size_t find_invalid_utf8(const std::string &text);
+
   /** Runs @p action; the reason why the system refused it, "" if it did not. */
   std::string catch_file_error(const std::function<void()> &action);
 } // namespace caudal
