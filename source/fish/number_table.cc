@@ -3,11 +3,14 @@
 #include <caudal/fish/number_table.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string.hpp>
 #include <boost/lexical_cast.hpp>
+#include <boost/tokenizer.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <regex>
@@ -40,11 +43,19 @@ namespace caudal
       std::vector<std::string> fields;
       // An entry that is missing between two separators is to be seen as such.
       if (has_semicolons || has_commas)
-        boost::split(fields, line, boost::is_any_of(has_semicolons ? ";" : ","));
+      {
+        using Separator = boost::escaped_list_separator<char>; // but within quotes
+        const boost::tokenizer<Separator> entries(line,
+                                                  Separator("", has_semicolons ? ";" : ",", "\""));
+        fields.assign(entries.begin(), entries.end());
+      }
       else if (!line.empty())
         boost::split(fields, line, boost::is_space(), boost::token_compress_on);
       for (std::string &field : fields)
         field = strip(field);
+      // Some programs end each row with a separator.
+      if (fields.size() > 1 && fields.back().empty())
+        fields.pop_back();
       return fields;
     }
 
@@ -63,13 +74,22 @@ namespace caudal
     }
   } // namespace
 
-  double parse_number(const std::string &field, const std::string &place)
+  bool is_number(const std::string &field)
   {
     double value = 0.;
+    return boost::conversion::try_lexical_convert(field, value) && std::isfinite(value);
+  }
+
+  double parse_number(const std::string &field, const std::string &place)
+  {
+    static const std::regex decimal_comma(R"([+-]?[\d.]*\d,\d+)");
+    AssertThrow(!std::regex_match(field, decimal_comma),
+                ExcMessage(place + "there is a comma within the number <" + field +
+                           ">. Save the table with points, 0.5 and not 0,5."));
     AssertThrow(
-        boost::conversion::try_lexical_convert(field, value) && std::isfinite(value),
+        is_number(field),
         ExcMessage(place + "<" + field + "> is not a finite number. Give one, or remove the row."));
-    return value;
+    return boost::lexical_cast<double>(field);
   }
 
   NumberTable read_number_table(const std::string &entry, const std::string &file_name,
@@ -86,12 +106,15 @@ namespace caudal
     {
       ++number;
       line = Utilities::trim(line.substr(0, line.find('#')));
-      if (line.empty())
+      if (line.empty() || line.rfind("sep=", 0) == 0) // which tells spreadsheets the separator
         continue;
       const std::string place =
           entry + ": " + file_name + ", line " + std::to_string(number) + ": ";
       const std::vector<std::string> fields = split_fields(line, place);
-      double                         value;
+      if (std::all_of(fields.begin(), fields.end(),
+                      [](const std::string &field) { return field.empty(); }))
+        continue; // as spreadsheets write empty rows
+      double value;
       if (table.rows.empty() && table.header.empty() && !fields[0].empty() &&
           std::isalpha(static_cast<unsigned char>(fields[0][0])) &&
           !boost::conversion::try_lexical_convert(fields[0], value))
@@ -115,5 +138,17 @@ namespace caudal
       table.rows.push_back(parse_row(place, split_fields(row, place), n_columns));
     }
     return table;
+  }
+
+  void check_table_times(const std::string &path, const std::string &section, const double begin,
+                         const double end, const double end_time)
+  {
+    AssertThrow(begin <= 1e-9 * end_time && end_time <= end * (1. + 1e-9),
+                ExcMessage(path + "/" + section + "/Table/File: the table reaches from " +
+                           Patterns::Tools::to_string(begin) + " s to " +
+                           Patterns::Tools::to_string(end) + " s, and the run from 0 s to " +
+                           Patterns::Tools::to_string(end_time) +
+                           " s. Complete the table, end the run earlier (Time/End time), or set " +
+                           section + "/Table/Periodic."));
   }
 } // namespace caudal

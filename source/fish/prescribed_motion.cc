@@ -80,11 +80,7 @@ namespace caudal
   template <int dim>
   typename PrescribedMotion<dim>::State PrescribedMotion<dim>::compute(const double time) const
   {
-    AssertThrow(time <= gait.get_end() * (1. + 1e-9),
-                ExcMessage("Gait: its table ends after " + std::to_string(gait.get_end()) +
-                           " s, before the time " + std::to_string(time) +
-                           " s. Lengthen the table, shorten the run, or set "
-                           "Gait/Table/Periodic."));
+    Assert(time <= gait.get_end() * (1. + 1e-9), ExcMessage("The gait's table has ended."));
     const Midline spine(gait, time);
     State         motion{points, std::vector<Tensor<1, dim>>(points.size())};
     for (std::size_t p = 0; p < points.size(); ++p)

@@ -21,10 +21,17 @@ namespace caudal
       std::vector<double> stations;
       if (table.header.empty())
         return stations;
-      if (table.header[0].empty() || std::tolower(table.header[0][0]) != 't') // time, Time [s], t
-        parse_number(table.header[0], table.header_place);
+      AssertThrow(std::tolower(table.header[0][0]) == 't', // time, Time [s], t
+                  ExcMessage(table.header_place + "the first column is called <" + table.header[0] +
+                             ">. It has to be the time: call it so."));
+      if (table.header.size() == 2 && !is_number(table.header[1]))
+        return stations; // it names the one column of amplitudes
       for (std::size_t i = 1; i < table.header.size(); ++i)
       {
+        AssertThrow(is_number(table.header[i]),
+                    ExcMessage(table.header_place + "the column <" + table.header[i] +
+                               "> has no place. Name each by its arc length in body lengths, such "
+                               "as <time, 0, 0.5, 1>."));
         const double station = parse_number(table.header[i], table.header_place);
         AssertThrow(stations.empty() || station > stations.back(),
                     ExcMessage(table.header_place + "the station <" + table.header[i] +

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/fish/number_table.h>
 #include <caudal/ideal/bending_body.h>
 #include <caudal/ideal/ideal_case.h>
 #include <caudal/ideal/mesh_body.h>
@@ -28,12 +29,8 @@ namespace caudal
       , gait(parameters.body.gait.create(straight_body->get_length()))
       , deformation(std::make_unique<BendingBody>(surface, *straight_body, *gait))
   {
-    AssertThrow(
-        parameters.time.end_time <= gait->get_end() * (1. + 1e-9),
-        ExcMessage("Time/End time: the value is " + std::to_string(parameters.time.end_time) +
-                   " s, but the gait's table ends after " + std::to_string(gait->get_end()) +
-                   " s. Lengthen the table, shorten the run, or set "
-                   "Gait/Table/Periodic."));
+    check_table_times(parameters.get_body_path(), "Gait", 0., gait->get_end(),
+                      parameters.time.end_time);
     const double bend = compute_largest_bend(256);
     AssertThrow(bend < 1.,
                 ExcMessage("Gait: the body would intersect itself, since its width relative to "

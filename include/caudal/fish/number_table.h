@@ -21,6 +21,8 @@ namespace caudal
     std::vector<Row>         rows;
   };
 
+  bool is_number(const std::string &field);
+
   /** The number that @p field says; throws a sentence, which begins with @p place, if it is none.
    */
   double parse_number(const std::string &field, const std::string &place);
@@ -38,6 +40,14 @@ namespace caudal
   /** Reads a table from a text in which ';' separates the rows. */
   NumberTable parse_number_table(const std::string &entry, const std::string &text,
                                  unsigned int n_columns);
+
+  /**
+   * Throws a sentence unless a table from @p begin to @p end [s] covers a run until @p end_time
+   * [s]. It is that of the section @p section, "Gait" or "Muscle", of the body with the section @p
+   * path.
+   */
+  void check_table_times(const std::string &path, const std::string &section, double begin,
+                         double end, double end_time);
 } // namespace caudal
 
 #endif
