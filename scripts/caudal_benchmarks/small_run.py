@@ -3,6 +3,11 @@
 
 import re
 
+from caudal_plots.program import ENVIRONMENT
+
+# Else the run starts a process beside it, which may outlive it.
+ENVIRONMENT["OMPI_MCA_ess_singleton_isolated"] = "1"
+
 STEP = 0.01  # [s]
 
 
