@@ -92,7 +92,7 @@ def draw_energy(run):
     for label, values, options in curves:
         axes[0, 0].plot(run.time, values, label=label, **options)
     axes[0, 0].axhline(0, color="0.5", linewidth=0.6)
-    axes[0, 0].set_ylabel("energy since the start [J/m]")
+    axes[0, 0].set_ylabel(f"energy since the start [{run.get_unit('kinetic energy')}]")
     axes[0, 0].set_title("muscle work + external = kinetic + elastic + dissipation + feedback "
                          "+ residual")
     axes[0, 0].legend(loc="upper left", ncol=2)

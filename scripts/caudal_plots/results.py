@@ -36,12 +36,18 @@ class Run:
             raise MissingData(f"{path} has fewer than two rows with as many numbers as headers.")
         return dict(zip(headers, np.array(rows, dtype=float).T))
 
-    def get(self, name):
-        """The column of that name; the unit in brackets need not be given."""
-        for header, values in self.columns.items():
+    def find(self, name):
+        """The column "name [unit]" of that name; the unit in brackets need not be given."""
+        for header in self.columns:
             if header == name or header.partition(" [")[0] == name:
-                return values
+                return header
         raise MissingData(f"statistics.txt has no column <{name}>.")
+
+    def get(self, name):
+        return self.columns[self.find(name)]
+
+    def get_unit(self, name):
+        return self.find(name).partition(" [")[2].rstrip("]")
 
     @property
     def time(self):

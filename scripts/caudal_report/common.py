@@ -12,7 +12,7 @@ def make_excuse(report, what, reason):
     """Says in the page why something is not there; damaged files are troubles of the report."""
     if isinstance(reason, BrokenData):
         report.troubles.append(str(reason))
-    return page.make_note(f"{page.escape(what)} {page.escape(reason)}")
+    return page.make_note(f"{what} {reason}")
 
 
 def draw_picture(report, draw, caption, dpi=120):
@@ -38,24 +38,24 @@ def place_movie(report, make):
 def make_warnings(log):
     if not log.warnings:
         return page.make_note("None.")
-    return "".join(f'<p class="warning">{page.escape(line)}'
-                   + (f" <b>({count} times)</b>" if count > 1 else "") + "</p>"
-                   for line, count in log.warnings)
+    return page.join(page.make_element(
+        "p", line + (page.make_element("b", f" ({count} times)") if count > 1 else ""),
+        'class="warning"') for line, count in log.warnings)
 
 
 def make_program(log):
     """Version, machine, libraries, and what the log says on grid, body and method."""
-    return "<pre>" + page.escape("\n".join(log.banner + [""] + log.get_facts())) + "</pre>"
+    return page.make_element("pre", "\n".join(log.banner + [""] + log.get_facts()))
 
 
 def make_timings(log):
     """The costs of the run, and a bar for each part of the program."""
-    content = page.make_note(page.escape(log.costs) if log.costs else
+    content = page.make_note(log.costs or
                              "The log tells no costs: the run goes on or has broken off.")
     if log.timings:
         largest = max(share for _, _, share in log.timings)
-        rows = [(page.escape(name), page.format_number(seconds), f"{share:.1f}",
-                 f'<div class="bar-cell"><i style="width:{100 * share / largest:.1f}%"></i></div>')
+        rows = [(name, page.format_number(seconds), f"{share:.1f}", page.Html(
+            f'<div class="bar-cell"><i style="width:{100 * share / largest:.1f}%"></i></div>'))
                 for name, seconds, share in sorted(log.timings, key=lambda row: -row[1])]
         content += page.make_table(("part", "wall time [s]", "share [%]", ""), rows,
                                    left=(0, 3))
@@ -64,20 +64,18 @@ def make_timings(log):
 
 def make_parameters(entries, folder):
     """What differs from the defaults, and the whole file."""
-    changed = [(page.escape(section), page.escape(entry), page.escape(value), page.escape(default))
-               for section, entry, value, default in entries if default is not None]
+    changed = [row for row in entries if row[-1] is not None]
     content = page.make_table(("section", "entry", "value", "default"), changed,
                               "What differs from the program's defaults; SI units.", left=range(4))
     text = (folder / "parameters.prm").read_text(encoding="utf-8", errors="replace")
-    return content + (f"<details><summary>All {len(entries)} parameters: parameters.prm"
-                      f"</summary><pre>{page.escape(text)}</pre></details>")
+    return content + page.make_details(f"All {len(entries)} parameters: parameters.prm",
+                                       page.make_element("pre", text))
 
 
 def make_state(log):
     """How the run ended, and what made it."""
     doubt = "RESULTS MEAN NOTHING, see the warnings; " if log.means_nothing else ""
-    return f"{doubt}{get_end(log)}; {log.banner[0] if log.banner else 'unknown version'}"
-
-
-def get_end(log):
-    return log.end or "not finished: this is what it has so far"
+    end = log.end or "not finished: this is what it has so far"
+    if end == "failed":
+        end += ": this is what it had until then"
+    return f"{doubt}{end}; {log.banner[0] if log.banner else 'unknown version'}"

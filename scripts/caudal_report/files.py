@@ -30,6 +30,16 @@ def read_parameters(folder):
     return entries
 
 
+def read_progress(folder):
+    """What manifest.txt says of the run: finished, unfinished or failed; None if there is none, as
+    in results of versions before 0.2."""
+    path = folder / "manifest.txt"
+    if not path.is_file():
+        return None
+    match = re.match(r"# .* The run is (\w+)\.", path.read_text(encoding="utf-8", errors="replace"))
+    return match and match[1]
+
+
 # The beginning of the paragraph of the costs, the last of a run.
 COSTS = r"\d+ steps in |CPU of rank 0"
 
@@ -39,6 +49,7 @@ class Log:
 
     def __init__(self, folder):
         self.lines = read_text(folder / "log.txt").splitlines()
+        self.progress = read_progress(folder)
 
     @property
     def banner(self):
@@ -63,12 +74,15 @@ class Log:
     @property
     def end(self):
         """How the run, or its last part if it was resumed, came to its end; None if it did not."""
+        if self.progress in ("finished", "failed"):
+            return self.progress
         resumptions = [i for i, line in enumerate(self.lines) if line.startswith("Resumed from")]
         last_part = self.lines[resumptions[-1]:] if resumptions else self.lines
         for line in last_part:
             if stop := re.match(r"Stopped (on request|by \S+ .* limit)", line):
                 return "stopped " + stop[1]
-        return "finished" if any(re.match(COSTS, line) for line in last_part) else None
+        has_costs = any(re.match(COSTS, line) for line in last_part)
+        return "finished" if has_costs and self.progress is None else None
 
     @property
     def costs(self):

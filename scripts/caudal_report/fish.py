@@ -3,11 +3,11 @@
 
 import numpy as np
 
-from caudal_plots import MissingData, style
+from caudal_plots import style
 from caudal_plots.main import FIGURES
 from caudal_plots.results import Run
 
-from . import common, files, movie, page, tables
+from . import common, files, movie, page, school, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
 
 SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
@@ -20,6 +20,11 @@ AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
 
 def get_sum(run, name):
     return sum(run.get(f"{body}: {name}") for body in run.bodies)
+
+
+def get_unit(run, name):
+    """The unit of a column of the bodies: in two dimensions it is per metre."""
+    return run.get_unit(f"{run.bodies[0]}: {name}")
 
 
 def make_motion_charts(run):
@@ -40,7 +45,7 @@ def make_motion_charts(run):
                        **options),
             make_chart("Tail: lateral position of the muscle's monitored point", TIME,
                        "lateral position [m]", make_curves(t, tail), **options),
-            make_chart("Muscle power", TIME, "power [W/m]",
+            make_chart("Muscle power", TIME, f"power [{get_unit(run, 'muscle power')}]",
                        make_curves(t, [(body, run.get(f"{body}: muscle power"))
                                        for body in run.bodies]), **options)]
 
@@ -53,7 +58,8 @@ def make_force_charts(run):
         lateral.append((f"{body}, lateral (y)", run.get(f"{body}: force y of the fluid")))
     note = ("By the flow round the body: the rate of change of the momentum of the fluid in its "
             "place, less the resultant of the body's forces.")
-    return [make_chart("Force of the fluid on the body", TIME, "force [N/m]",
+    unit = get_unit(run, "force x of the fluid")
+    return [make_chart("Force of the fluid on the body", TIME, f"force [{unit}]",
                        make_curves(t, axial + lateral), group="time", zero=True, note=note)]
 
 
@@ -66,8 +72,9 @@ def make_momentum_chart(run, reports):
         curves.append((report["body"], rate))
     if not curves:
         return []
-    return [make_chart("Net force forward, d(mv)/dt", TIME, "force [N/m]", make_curves(t, curves),
-                       group="time", zero=True,
+    unit = get_unit(run, "force x of the fluid")
+    return [make_chart("Net force forward, d(mv)/dt", TIME, f"force [{unit}]",
+                       make_curves(t, curves), group="time", zero=True,
                        note="Its positive part is the thrust, its negative part the drag of the "
                             "table of tail beats, if nothing else pushes the body forward.")]
 
@@ -114,29 +121,28 @@ def get_ledger(run):
 
 
 def make_ledger_section(run, report, reports):
-    t, ledger = run.time, get_ledger(run)
+    t, ledger, unit = run.time, get_ledger(run), run.get_unit("kinetic energy")
     listed = list(ledger)
-    if "numerical dissipation [J/m]" in run.columns:
-        listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
+    listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
     curves = make_curves(t, listed)
     curves[0].update(color="#000000", width=2.2)
     curves[-1].update(color=GREY, dash=DASHED)
-    charts = [make_chart("Energy since the start", TIME, "energy [J/m]", curves, group="time",
+    charts = [make_chart("Energy since the start", TIME, f"energy [{unit}]", curves, group="time",
                          zero=True),
-              make_chart("Residual of the ledger", TIME, "residual [J/m]",
+              make_chart("Residual of the ledger", TIME, f"residual [{unit}]",
                          [make_curve("residual", t, ledger[-1][1], GREY)], group="time", zero=True)]
     work = ledger[0][1][-1]
-    rows = [(page.escape(name), page.format_number(values[-1]),
+    rows = [(name, page.format_number(values[-1]),
              page.format_number(100 * values[-1] / work if work else None, 3))
             for name, values in listed]
-    total = page.make_table((f"at t = {t[-1]:.3f} s", "energy [J/m]", "[% of muscle work]"), rows,
+    total = page.make_table((f"at t = {t[-1]:.3f} s", f"energy [{unit}]", "[% of muscle work]"), rows,
                             "muscle work = changes of kinetic and elastic energy + dissipation + "
                             "taken by feedback − external work (through the sides and by the "
                             "body force) + residual")
     content = total + page.make_note(RESIDUAL) + report.place_charts(charts)
     if reports:
         # The ledger is that of all bodies together; the first body's beats divide it.
-        content += f"<h3>Per tail beat of {page.escape(reports[0]['body'])}</h3>"
+        content += page.make_element("h3", f"Per tail beat of {reports[0]['body']}")
         content += tables.make_beat_ledger(reports[0])
     return content
 
@@ -145,7 +151,7 @@ def make_swim_section(reports):
     if not any(report["beats"] for report in reports):
         return page.make_note("No whole tail beat: there is no swim.json with beats. It is written "
                               "from the first whole beat of a body that swims on.")
-    content = ""
+    content = page.Html()
     for report in reports:
         if not report["beats"]:
             continue
@@ -153,35 +159,16 @@ def make_swim_section(reports):
         state = (f"steady over the last {n} of {len(report['beats'])} tail beats (drift of the speed "
                  "below 2 % a beat)" if n else
                  f"{len(report['beats'])} tail beats, the speed is not steady at the end")
-        content += (f"<h3>{page.escape(report['body'])}: {state}</h3>"
+        content += (page.make_element("h3", f"{report['body']}: {state}")
                     + tables.make_swim_tiles(report)
                     + page.make_note(f"Length {report['constants']['length']['value']:g} m, mass "
-                                     f"{page.format_number(mass['value'])} {mass['unit']}. "
+                                     + page.format_number(mass["value"]) + f" {mass['unit']}. "
                                      "Key figures: " + ("mean of the steady beats." if n else
                                                         "the last beat."))
                     + tables.make_beat_table(report)
-                    + "<details open><summary>All quantities and their definitions</summary>"
-                    + tables.make_swim_table(report) + "</details>")
+                    + page.make_details("All quantities and their definitions",
+                                        tables.make_swim_table(report), is_open=True))
     return content
-
-
-def make_school_section(reports, folder):
-    """What the fish gain over a lone one, whose run is in the folder."""
-    lone = [report for report in tables.read_swim(folder) if report["beats"]]
-    if len(lone) != 1:
-        raise MissingData(f"--lone {folder}: {len(lone)} fish with whole tail beats there. Give the "
-                          "folder of a run of one fish.")
-    for report in reports:
-        for name, value in report["constants"].items():
-            if value != lone[0]["constants"].get(name):
-                raise MissingData(f"--lone {folder}: the {name} there is not that of "
-                                  f"{report['body']}. Give the run of an equal fish.")
-    unsteady = [report["body"] for report in [lone[0], *reports] if not report["steady beats"]]
-    return tables.make_school_table(reports, lone[0]) + page.make_note(
-        f"In brackets: gain over the lone fish of {page.escape(str(folder))}. Means of the steady "
-        "beats; without any, the last beat."
-        + (f" <b>Not steady: {page.escape(', '.join(dict.fromkeys(unsteady)))}.</b>"
-           if unsteady else ""))
 
 
 def describe(folder, n_frames, with_pictures, lone=None):
@@ -193,12 +180,12 @@ def describe(folder, n_frames, with_pictures, lone=None):
     plane = dict((entry, value) for section, entry, value, _ in entries if not section
                  ).get("Dimension", "2") == "2"
     report = page.Page(f"Caudal: {names}",
-                       f"Immersed elastic swimmer, {page.escape(folder.resolve().name)}: t = 0 to {end:g} s, "
+                       f"Immersed elastic swimmer, {folder.resolve().name}: t = 0 to {end:g} s, "
                        f"{common.make_state(log)}."
-                       + (f" <b>{SPAN}</b>" if plane else ""))
+                       + (" " + page.make_element("b", SPAN) if plane else ""))
     report.add("Swimming", make_swim_section(reports))
     if lone:
-        report.add("Gain of the school", make_school_section(reports, lone))
+        report.add("Gain of the school", school.make_school_section(entries, reports, lone))
     if n_frames > 0:
         report.add("The wake", common.place_movie(report,
                                                   lambda: movie.make_wake_movie(run, n_frames)))
@@ -209,7 +196,7 @@ def describe(folder, n_frames, with_pictures, lone=None):
     report.add("Energy ledger", make_ledger_section(run, report, reports))
     report.add("Quality", report.place_charts(make_quality_charts(run)))
     if with_pictures:
-        report.add("Pictures", "".join(
+        report.add("Pictures", page.join(
             common.draw_picture(report, lambda draw=draw: draw(run),
                                 (caption[0].upper() + caption[1:])
                                 .replace("(figure ", "(the paper's figure "))

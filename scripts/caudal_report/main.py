@@ -27,9 +27,10 @@ def main(arguments):
     options = parser.parse_args(arguments)
     if options.frames < 0:
         parser.error("--frames: give 0 or more.")
-    if not options.folder.is_dir():
-        print(f"{options.folder}: there is no such folder.", file=sys.stderr)
-        return 1
+    for folder in filter(None, (options.folder, options.lone)):
+        if not folder.is_dir():
+            print(f"{folder}: there is no such folder.", file=sys.stderr)
+            return 1
 
     style.apply()
     output = options.output or options.folder / "report.html"

@@ -15,6 +15,8 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter
 
 from caudal_plots import MissingData, flow, style
 
+from . import page
+
 WIDTH = 1140       # of a picture [pixels]
 MOST_HEIGHT = 520
 WIDEST = 8.        # a window that stands still is at most that many bodies long
@@ -29,7 +31,7 @@ class Movie:
     kind: str      # image/...
     frames: list   # bytes
     captions: list
-    scale: str     # HTML: what the colours mean
+    scale: page.Html  # what the colours mean
 
 
 def choose(items, count):
@@ -138,9 +140,9 @@ def make_scale(limit, label):
     """The colour scale as HTML."""
     stops = ", ".join(matplotlib.colors.to_hex(matplotlib.colormaps[COLOURS](k / 12))
                       for k in range(13))
-    return (f'<div class="scale">{label} −{limit:g} <span class="bar" style="background: '
-            f'linear-gradient(to right, {stops})"></span> {limit:g}, red: anticlockwise '
-            '<span class="blob"></span> body</div>')
+    return page.Html('<div class="scale">{0} −{1} <span class="bar" style="background: '
+                     'linear-gradient(to right, {2})"></span> {1}, red: anticlockwise '
+                     '<span class="blob"></span> body</div>').format(label, f"{limit:g}", stops)
 
 
 def make_wake_movie(run, count):

@@ -10,8 +10,27 @@ import pathlib
 HERE = pathlib.Path(__file__).resolve().parent
 
 
+class Html(str):
+    """Text that is HTML already. Whatever else is put into a page, added to such text or filled
+    into it by format() is escaped: what a run has written can't become markup."""
+
+    def __add__(self, other):
+        return Html(str(self) + str(escape(other)))
+
+    def __radd__(self, other):
+        return Html(str(escape(other)) + str(self))
+
+    def format(self, *values, **named_values):
+        return Html(str.format(self, *map(escape, values),
+                               **{name: escape(value) for name, value in named_values.items()}))
+
+
 def escape(text):
-    return html.escape(str(text))
+    return text if isinstance(text, Html) else Html(html.escape(str(text)))
+
+
+def join(parts, separator=""):
+    return Html(separator.join(map(escape, parts)))
 
 
 def format_number(value, digits=4):
@@ -29,29 +48,39 @@ def format_number(value, digits=4):
     else:
         mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
         text = f"{mantissa}·10<sup>{int(exponent)}</sup>"
-    return text.replace("-", "−")
+    return Html(text.replace("-", "−"))
+
+
+def make_element(tag, text, attributes=""):
+    return Html(f"<{tag}{attributes and ' ' + attributes}>{escape(text)}</{tag}>")
 
 
 def make_table(header, rows, caption="", left=(0,)):
-    """Rows of HTML cells; the columns with the numbers @p left are words, the others numbers."""
+    """A table; the columns with the numbers @p left are words, the others numbers."""
     def make_row(tag, cells):
-        return "<tr>" + "".join(f'<{tag}{"" if i in left else " class=n"}>{cell}</{tag}>'
-                                for i, cell in enumerate(cells)) + "</tr>"
+        return make_element("tr", join(make_element(tag, cell, "" if i in left else "class=n")
+                                       for i, cell in enumerate(cells)))
 
-    return ('<div class="wide"><table>' + (f"<caption>{caption}</caption>" if caption else "")
-            + f"<thead>{make_row('th', header)}</thead>"
-            + "<tbody>" + "\n".join(make_row("td", row) for row in rows) + "</tbody></table></div>")
+    table = (make_element("caption", caption) if caption else "") + \
+        make_element("thead", make_row("th", header)) + \
+        make_element("tbody", join((make_row("td", row) for row in rows), "\n"))
+    return make_element("div", make_element("table", table), 'class="wide"')
 
 
 def make_tiles(tiles):
     """(label, value, unit) as a row of key figures."""
-    return '<div class="tiles">' + "".join(
-        f'<div><span>{escape(label)}</span><b>{value}<i>{escape(unit)}</i></b></div>'
-        for label, value, unit in tiles) + "</div>"
+    return make_element("div", join(
+        Html("<div><span>{}</span><b>{}<i>{}</i></b></div>").format(*tile) for tile in tiles),
+        'class="tiles"')
 
 
 def make_note(text):
-    return f'<p class="note">{text}</p>'
+    return make_element("p", text, 'class="note"')
+
+
+def make_details(summary, content, is_open=False):
+    return make_element("details", make_element("summary", summary) + content,
+                        "open" if is_open else "")
 
 
 def make_data_uri(kind, data):
@@ -59,8 +88,8 @@ def make_data_uri(kind, data):
 
 
 def make_picture(kind, data, caption):
-    return (f'<figure class="picture"><img src="{make_data_uri(kind, data)}" alt="{escape(caption)}">'
-            f"<figcaption>{escape(caption)}</figcaption></figure>")
+    return Html('<figure class="picture"><img src="{0}" alt="{1}">'
+                "<figcaption>{1}</figcaption></figure>").format(make_data_uri(kind, data), caption)
 
 
 class Page:
@@ -74,7 +103,7 @@ class Page:
         self.troubles = []  # sentences on damaged files
 
     def add(self, title, content):
-        """A section of HTML."""
+        """A section."""
         self.sections.append((f"section-{len(self.sections) + 1}", title, content))
 
     def place_charts(self, charts):
@@ -83,22 +112,22 @@ class Page:
         for chart in charts:
             name = f"chart-{len(self.charts) + 1}"
             self.charts[name] = chart
-            note = f'<p>{escape(chart["note"])}</p>' if chart.get("note") else ""
-            parts.append(f'<figure class="chart" data-chart="{name}"><figcaption>'
-                         f'{escape(chart["title"])}</figcaption>{note}'
-                         '<div class="plot"></div></figure>')
-        return '<div class="charts">' + "".join(parts) + "</div>"
+            note = make_element("p", chart["note"]) if chart.get("note") else ""
+            parts.append(Html('<figure class="chart" data-chart="{}"><figcaption>{}</figcaption>{}'
+                              '<div class="plot"></div></figure>').format(name, chart["title"], note))
+        return make_element("div", join(parts), 'class="charts"')
 
     def place_movie(self, movie):
         """An animation over a slider; @p movie is a movie.Movie."""
         name = f"movie-{len(self.movies) + 1}"
         frames = [make_data_uri(movie.kind, data) for data in movie.frames]
         self.movies.append({"frames": frames, "captions": movie.captions})
-        return (f'<figure class="movie" id="{name}"><img src="{frames[-1]}" alt="{escape(movie.title)}">'
-                '<div class="controls"><button type="button">Play</button>'
-                f'<input type="range" min="0" max="{len(frames) - 1}" value="{len(frames) - 1}" '
-                f'aria-label="time"><output>{escape(movie.captions[-1])}</output></div>'
-                f"{movie.scale}<figcaption>{escape(movie.title)}</figcaption></figure>")
+        return Html('<figure class="movie" id="{name}"><img src="{frame}" alt="{title}">'
+                    '<div class="controls"><button type="button">Play</button>'
+                    '<input type="range" min="0" max="{last}" value="{last}" aria-label="time">'
+                    "<output>{caption}</output></div>{scale}<figcaption>{title}</figcaption></figure>"
+                    ).format(name=name, frame=frames[-1], title=movie.title, last=len(frames) - 1,
+                             caption=movie.captions[-1], scale=movie.scale)
 
 
 def embed(value):
@@ -110,9 +139,10 @@ def render(page):
     style = (HERE / "page.css").read_text(encoding="utf-8")
     chart_script = (HERE / "chart.js").read_text(encoding="utf-8")
     page_script = (HERE / "page.js").read_text(encoding="utf-8")
-    contents = " · ".join(f'<a href="#{name}">{escape(title)}</a>' for name, title, _ in page.sections)
-    sections = "\n".join(f'<section id="{name}"><h2>{escape(title)}</h2>\n{content}\n</section>'
-                         for name, title, content in page.sections)
+    contents = join((Html('<a href="#{}">{}</a>').format(name, title)
+                     for name, title, _ in page.sections), " · ")
+    sections = join((Html('<section id="{}"><h2>{}</h2>\n{}\n</section>').format(*section)
+                     for section in page.sections), "\n")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -127,7 +157,7 @@ def render(page):
 <body>
 <header>
 <h1>{escape(page.title)}</h1>
-<p class="subtitle">{page.subtitle}</p>
+<p class="subtitle">{escape(page.subtitle)}</p>
 <nav>{contents}</nav>
 </header>
 <main>

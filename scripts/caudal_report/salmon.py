@@ -56,8 +56,8 @@ def make_engineers_table(names, values):
     for k, name in enumerate(names[1:], 1):
         cells = [0. if name.startswith(("turn", "radius")) and abs(row[k]) < ZERO else row[k]
                  for row in values]
-        rows.append([page.escape(name)] + [page.format_number(cell) for cell in cells])
-    header = ["quantity"] + [f"{row[0]:g} <small>[Hz]</small>" for row in values]
+        rows.append([name] + [page.format_number(cell) for cell in cells])
+    header = ["quantity"] + [f"{row[0]:g} " + page.make_element("small", "[Hz]") for row in values]
     return page.make_table(header, rows, "The whole fish, in three dimensions: nothing is per metre "
                                          "of span. Powers: mean over whole strokes; gross: of the "
                                          "moduli of the joints' powers.")
@@ -170,8 +170,8 @@ def make_surface_movie(folder, frequency, count):
         np.abs(pictures.read_surface(series[len(series) // 2][1])[1]), 90))
     frames = [draw_surface(file, turn, (x0, x1, y0, y1), size, limit) for _, file in series]
     stops = ", ".join(matplotlib.colors.to_hex(style.PRESSURE(k / 12)) for k in range(13))
-    scale = (f'<div class="scale">pressure [Pa] −{limit:g} <span class="bar" style="background: '
-             f'linear-gradient(to right, {stops})"></span> {limit:g}</div>')
+    scale = page.Html(f'<div class="scale">pressure [Pa] −{limit:g} <span class="bar" style="'
+                      f'background: linear-gradient(to right, {stops})"></span> {limit:g}</div>')
     return movie.Movie(f"The swimming surface from above at {frequency:g} Hz, swimming to the left: "
                        f"the first {len(series)} outputs", "webp", frames,
                        [f"t = {time:.2f} s" for time, _ in series], scale)
@@ -223,7 +223,7 @@ def describe(folder, n_frames, with_pictures):
             report, lambda: draw_swimming(folder, frequencies), "One stroke, and the way of the whole run"))
     report.add("Warnings", common.make_warnings(log))
     costs = [line for line in log.lines if line.startswith(("Table of phases", "CPU of rank 0"))]
-    report.add("Time spent", "".join(page.make_note(page.escape(line)) for line in costs)
+    report.add("Time spent", page.join(page.make_note(line) for line in costs)
                or page.make_note("The log tells no costs."))
     report.add("Program, grid and body", common.make_program(log))
     report.add("Parameters", common.make_parameters(entries, folder))

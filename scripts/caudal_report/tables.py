@@ -33,10 +33,14 @@ def get_unit(report, name):
     return report["quantities"][name]["unit"]
 
 
+def keep_on_one_line(text):
+    return text.replace(" ", "\N{NO-BREAK SPACE}")
+
+
 def make_heading(report, name):
     quantity = report["quantities"][name]
-    unit = f" <small>[{page.escape(quantity['unit'])}]</small>" if quantity["unit"] else ""
-    return f"{page.escape(quantity['symbol'])}{unit}"
+    unit = " " + page.make_element("small", f"[{quantity['unit']}]") if quantity["unit"] else ""
+    return quantity["symbol"] + unit
 
 
 def make_swim_tiles(report):
@@ -54,10 +58,9 @@ def make_swim_table(report):
         if name in ("start", "steady"):
             continue
         means = [page.format_number(steady[name])] if steady else []
-        rows.append([page.escape(name), page.escape(quantity["symbol"]), *means,
-                     page.format_number(last[name]),
-                     page.escape(quantity["unit"]).replace(" ", "&nbsp;"),
-                     f"<small>{page.escape(quantity['definition'])}</small>"])
+        rows.append([name, quantity["symbol"], *means, page.format_number(last[name]),
+                     keep_on_one_line(quantity["unit"]),
+                     page.make_element("small", quantity["definition"])])
     means = [f"mean of the last {report['steady beats']} beats"] if steady else []
     header = ["quantity", "symbol", *means, "last beat", "unit", "definition"]
     return page.make_table(header, rows, left=(0, 1, len(header) - 2, len(header) - 1))
@@ -74,15 +77,14 @@ def make_school_table(reports, lone):
     alone = get_key_beat(lone)
     rows = []
     for name in COMPARED:
-        row = [page.escape(name), get_unit(lone, name).replace(" ", "&nbsp;"),
-               page.format_number(alone[name])]
+        row = [name, keep_on_one_line(get_unit(lone, name)), page.format_number(alone[name])]
         for report in reports:
             value = get_key_beat(report)[name]
             change = f" ({100 * (value / alone[name] - 1):+.1f}&nbsp;%)" if alone[name] else ""
-            row.append(page.format_number(value) + change)
+            row.append(page.format_number(value) + page.Html(change))
         rows.append(row)
-    return page.make_table(["quantity", "unit", "alone"]
-                           + [page.escape(report["body"]) for report in reports], rows, left=(0, 1))
+    return page.make_table(["quantity", "unit", "alone", *(report["body"] for report in reports)],
+                           rows, left=(0, 1))
 
 
 def make_beat_table(report):
@@ -101,8 +103,9 @@ def make_beat_ledger(report):
         rows.append([str(number)] + [page.format_number(beat[name]) for name in LEDGER]
                     + [page.format_number(share, 2)])
     return page.make_table(["beat"] + [make_heading(report, name) for name in LEDGER]
-                           + ["residual <small>[% of muscle work]</small>"], rows,
-                           "muscle work = ΔE<sub>kin</sub> + ΔE<sub>el</sub> + dissipation + "
-                           "feedback − external work + residual, in each tail beat; external "
-                           "work: through the sides and by the body force; numerical: the part of the "
-                           "dissipation by stabilisations and time scheme")
+                           + ["residual " + page.make_element("small", "[% of muscle work]")], rows,
+                           page.Html("muscle work = ΔE<sub>kin</sub> + ΔE<sub>el</sub> + dissipation "
+                                     "+ feedback − external work + residual, in each tail beat; "
+                                     "external work: through the sides and by the body force; "
+                                     "numerical: the part of the dissipation by stabilisations and "
+                                     "time scheme"))
