@@ -45,8 +45,8 @@ namespace
   {
     for (const int signal :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPIPE, SIGALRM})
-      // nohup, for one, asks to ignore a signal; the shell asks so for what runs behind it.
-      if (std::signal(signal, handler) == SIG_IGN && signal != SIGPIPE)
+      // nohup asks for SIGHUP to be ignored. Shells ask so for SIGINT of all that runs behind them.
+      if (std::signal(signal, handler) == SIG_IGN && signal == SIGHUP)
         std::signal(signal, SIG_IGN);
   }
 

@@ -28,6 +28,17 @@ for signal in USR1 USR2; do
   echo "SIG$signal to mpirun: exit code $?, $(ls results/restart | grep -c step) checkpoint"
 done
 
+# nohup, as one who leaves asks for it: the run goes on, and SIGTERM ends it.
+rm -rf results
+nohup "$CAUDAL" disc.prm -D "Time/End time=1000" >printed 2>errors &
+run=$!
+while [ "$(cat results/statistics.txt 2>/dev/null | wc -l)" -lt 60 ]; do sleep 0.05; done
+kill -HUP $run
+sleep 1
+kill -TERM $run && echo "nohup: it goes on"
+wait $run
+echo "then exit code $?"
+
 # What only prints ends quietly when nobody reads on.
 "$CAUDAL" --print-parameters disc.prm 2>errors | true
 cat errors
