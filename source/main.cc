@@ -29,6 +29,9 @@ namespace
   volatile std::sig_atomic_t stop_signal = 0;
   bool                       is_root     = true; // for signal handlers, which can't ask MPI
 
+  /** nohup asks for this. (Shells ask for it of SIGINT and all that runs behind them.) */
+  bool ignores_hangup = false;
+
   /** Exit codes. */
   enum Exit
   {
@@ -45,9 +48,7 @@ namespace
   {
     for (const int signal :
          {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPIPE, SIGALRM})
-      // nohup asks for SIGHUP to be ignored. Shells ask so for SIGINT of all that runs behind them.
-      if (std::signal(signal, handler) == SIG_IGN && signal == SIGHUP)
-        std::signal(signal, SIG_IGN);
+      std::signal(signal, signal == SIGHUP && ignores_hangup ? SIG_IGN : handler);
   }
 
   /** The answer before the first step, while grids are built: there is nothing to save. */
@@ -242,6 +243,7 @@ namespace
 
 int main(int argc, char **argv)
 {
+  ignores_hangup = std::signal(SIGHUP, SIG_IGN) == SIG_IGN; // MPI changes it
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // A file that exceeds its limit is an error like that of a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
