@@ -50,10 +50,11 @@ namespace caudal
   {
     // One that can't write must not keep the others from what they add up.
     std::string error;
-    for (const auto &[name, observer] : observers)
+    for (const auto &entry : observers)
     {
+      Observer<dim>    &observer = *entry.second;
       const std::string failure =
-          catch_error([&]() { observer->observe_step(observation, *context); });
+          catch_error([&]() { observer.observe_step(observation, *context); });
       error = error.empty() ? failure : error;
     }
     AssertThrow(error.empty(), ExcMessage(error));
