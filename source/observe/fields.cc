@@ -119,6 +119,7 @@ namespace caudal
         const auto            &triangulation = space.get_triangulation();
         const Vorticity<dim>   vorticity;
         DataOut<dim>           data_out;
+        data_out.attach_triangulation(triangulation);
         add_vector(data_out, space.velocity_dofs, observation.fluid.velocity, "velocity");
         data_out.add_data_vector(space.pressure_dofs, observation.fluid.pressure, "pressure");
         data_out.add_data_vector(space.velocity_dofs, observation.fluid.velocity, vorticity);
@@ -128,7 +129,6 @@ namespace caudal
           level[cell->active_cell_index()] = cell->level();
           rank[cell->active_cell_index()]  = cell->is_locally_owned() ? cell->subdomain_id() : -1;
         }
-        data_out.attach_triangulation(triangulation);
         data_out.add_data_vector(level, "level");
         data_out.add_data_vector(rank, "rank");
         data_out.build_patches(n_subdivisions);
@@ -151,10 +151,10 @@ namespace caudal
         const auto           cell_means   = compute_cell_means(solid, state.positions);
 
         DataOut<dim> data_out;
+        data_out.attach_triangulation(solid.get_triangulation());
         add_vector(data_out, dofs, displacement, "displacement");
         add_vector(data_out, dofs, state.velocity, "velocity");
         add_vector(data_out, dofs, muscle_force, "muscle_force");
-        data_out.attach_triangulation(solid.get_triangulation());
         for (const auto &[name, values] : cell_means)
           data_out.add_data_vector(values, name);
         const MappingQEulerian<dim> mapping(dofs.get_fe().degree, dofs, move);

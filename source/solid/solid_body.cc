@@ -18,7 +18,6 @@ namespace caudal
   SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const double fluid_density)
       : parameters(parameters)
       , element(FE_Q<dim>(parameters.polynomial_degree), dim)
-      , dof_handler(triangulation)
       , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid_density)
   {
     make_body_grid(triangulation, parameters.grid, parameters.regions, parameters.get_path());
@@ -26,6 +25,7 @@ namespace caudal
       materials.push_back(
           parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));
 
+    dof_handler.reinit(triangulation);
     dof_handler.distribute_dofs(element);
     DoFRenumbering::Cuthill_McKee(dof_handler);
     set_up_nodes();
