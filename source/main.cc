@@ -180,9 +180,10 @@ namespace
       const std::string reason = catch_file_error([&]() { text = read_text_file(name); });
       if (reason.empty() && is_whole_parameter_file(text))
         return;
+      const std::string newest = find_newest_parameters(command_line.folder);
       if (std::filesystem::exists(name))
         std::filesystem::rename(name, name + ".damaged");
-      replace_file(name, find_newest_parameters(command_line.folder));
+      replace_file(name, newest);
       std::cerr << "Warning: <" << name
                 << "> was missing or damaged; it is that of the newest checkpoint now.\n";
     });
@@ -206,7 +207,7 @@ namespace
   {
     using Action                   = CommandLine::Action;
     const CommandLine command_line = parse_command_line(argc, argv);
-    // What only prints ends quietly, as if its output goes to `head`, which has seen enough.
+    // What only prints ends quietly once its output is not read any more, by `head` for example.
     const bool only_prints =
         command_line.action == Action::help || command_line.action == Action::version ||
         command_line.action == Action::print_parameters || command_line.action == Action::check;
