@@ -79,11 +79,14 @@ namespace caudal
     BodyOnGrid result{body, entries.get_path(), measure_resolution(body, parameters.domain)};
     for (unsigned int r = 0; r < entries.regions.size(); ++r)
     {
-      const RegionParameters<dim> &region = *entries.region_parameters[r];
-      const std::string            path   = entries.get_region_path(r);
-      const double                 modulus =
-          region.cell_volume_stabilisation + region.material.get_wave_modulus(path);
-      result.wave_speed = std::max(result.wave_speed, std::sqrt(modulus / density));
+      const RegionParameters<dim> &region  = *entries.region_parameters[r];
+      const std::string            path    = entries.get_region_path(r);
+      const double                 modulus = region.material.get_wave_modulus(path);
+      // What keeps volumes makes waves fast and steps short, but no body stiff.
+      const double stabilised = modulus + region.cell_volume_stabilisation;
+      const double bare       = modulus - region.material.volumetric_stabilisation;
+      result.wave_speed       = std::max(result.wave_speed, std::sqrt(stabilised / density));
+      result.material_speed   = std::max(result.material_speed, std::sqrt(bare / density));
       result.spring_frequency =
           std::max(result.spring_frequency, std::sqrt(region.feedback_stiffness / density));
       const std::string remark = region.material.get_immersed_remark(path);
@@ -369,9 +372,9 @@ namespace caudal
       if (ratio > 0 && (ratio > largest_density_ratio || ratio < 1 / largest_density_ratio))
         warnings.push_back(body.path + "/Density: it is " + print_rounded(ratio) +
                            " of the fluid's. If that is not meant, give it in kg/m^3.");
-      if (body.wave_speed > 0 && body.wave_speed < scales.speed)
+      if (body.material_speed > 0 && body.material_speed < scales.speed)
         warnings.push_back(body.path + ": elastic waves run through it at " +
-                           print_rounded(body.wave_speed) + " m/s, slower than the flow of " +
+                           print_rounded(body.material_speed) + " m/s, slower than the flow of " +
                            print_rounded(scales.speed) +
                            " m/s, to which it gives way like a fluid. If that is not meant, give "
                            "its moduli in Pa.");

@@ -44,6 +44,7 @@ namespace caudal
       double                   room_ahead       = 0;  // to the side that it swims to [m]
       double                   nearest_side     = 0;  // [m]
       double                   wave_speed       = 0;  // of the fastest elastic waves [m/s]
+      double                   material_speed   = 0;  // likewise, without numerical stabilisations
       double                   spring_frequency = 0;  // of its feedback springs [rad/s]
       std::vector<std::string> remarks          = {}; // on its materials
 
