@@ -202,10 +202,10 @@ namespace caudal
       const fs::path slot = root / (prefix + Utilities::int_to_string(step, 8));
       if (!fs::is_directory(output.path()))
         throw std::runtime_error("the folder <" + output.path() + "> is gone");
-      output.synchronise();
       fs::create_directory(root);
       remove_slot(unfinished);
-      fs::create_directory(unfinished);
+      fs::create_directory(unfinished); // first, so that others see that it is being written
+      output.synchronise();
       const std::string &parameters = output.get_parameters();
       write_whole_file(unfinished / state_name, data);
       write_whole_file(unfinished / parameters_name, parameters);

@@ -84,7 +84,8 @@ start -D "Checkpoint/Interval of steps=50"
 prlimit --pid $run --fsize=2000
 end
 echo "* nor a picture of the fields, which are written in each step"
-start -D "Output/Interval of fields=0" -D "Output/Interval of statistics=1000000"
+start -D "Output/Interval of fields=0" -D "Output/Interval of statistics=1000000" \
+  -D "Checkpoint/Interval of steps=50"
 prlimit --pid $run --fsize=4000
 end
 echo "* the folder of the fields is removed"
