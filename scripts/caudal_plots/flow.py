@@ -155,7 +155,8 @@ def draw_sequence(run, times, title):
 
 
 def draw_start_up(run):
-    return draw_sequence(run, run.get_nearest_times(START_UP_TIMES), "start-up")
+    times = run.get_nearest_times(START_UP_TIMES) or run.times[-1:]  # of a shorter run the last one
+    return draw_sequence(run, times, "start-up")
 
 
 def draw_cruise(run):
