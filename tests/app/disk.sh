@@ -37,7 +37,8 @@ EOF
 
 # What the run said, without what depends on the moment.
 say() {
-  sed "s/step [0-9]*/step .../; s/fields.[a-z]*-[0-9]*/fields.../; s/: the folder <results> is gone/: .../
+  sed "s/: <results.\(fields[^>]*\|solution.pvd.tmp\)> can't be written/: a file can't be written/
+       s/step [0-9]*/step .../; s/fields.[a-z]*-[0-9]*/fields.../; s/: the folder <results> is gone/: .../
        s/: <results.restart.*No such file or directory/: .../; s/>: No such file or directory/>: .../; s/^/    /
        s/\(<results.restart>: \)\(<results.restart.* \)\{0,1\}\(File exists\|Not a directory\)\. /\1not a folder. /" errors
 }
