@@ -63,6 +63,12 @@ override "Domain/Cells" "100000, 50000" | of_memory
 override "Body fish/Shape/Elements" "2000000, 400000" | of_memory
 override "Domain/Cells" "16, 2"
 
+echo "* less virtual memory than the program's libraries take"
+(
+  ulimit -v 600000
+  timeout 60 "$CAUDAL" --check good.prm
+) 2>&1 | sed 's/^/    /'
+
 echo "= a body that is thinner than half a cell"
 cat >thin.prm <<'END'
 include good.prm
