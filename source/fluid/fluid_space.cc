@@ -64,8 +64,11 @@ namespace caudal
       return homogeneous_constraints;
     if (constraints_time != time)
     {
+      constraints_time.reset(); // until they are whole
+      constraints.copy_from(make_constraints(time, 1));
       outflow_factor = balances_fluxes() ? compute_outflow_factor(time) : 1;
-      constraints.copy_from(make_constraints(time, outflow_factor));
+      if (outflow_factor != 1)
+        constraints.copy_from(make_constraints(time, outflow_factor));
       constraints_time = time;
     }
     return constraints;
@@ -96,7 +99,7 @@ namespace caudal
   template <int dim>
   double FluidSpace<dim>::compute_outflow_factor(const double time) const
   {
-    const BoundaryFlux flux = compute_boundary_flux(*this, make_constraints(time, 1));
+    const BoundaryFlux flux = compute_boundary_flux(*this, constraints); // with a factor of one
     if (std::abs(flux.net) <= round_off * flux.total)
       return 1;
     // The flux is linear in the factor.

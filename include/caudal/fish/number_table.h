@@ -21,6 +21,7 @@ namespace caudal
     std::vector<Row>         rows;
   };
 
+  /** Whether @p field says a finite number. */
   bool is_number(const std::string &field);
 
   /** The number that @p field says; throws a sentence, which begins with @p place, if it is none.

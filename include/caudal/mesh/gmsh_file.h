@@ -16,12 +16,11 @@ namespace caudal
 
   /**
    * Reads the gmsh mesh @p file (.msh, text of format 1 to 4.1 or binary) as the grid of a body.
-   * Nodes that
-   * coincide become one, so that parts hold together; lines and faces are ignored, as a body has no
-   * conditions on its boundary; triangles are cut into three quadrilaterals each (tetrahedra into
-   * four hexahedra), and quadrilaterals beside them into four; elements of second order are read
-   * as linear. Material ids are the numbers of the physical groups. Throws the reason, a sentence
-   * of deal.II, if the file can't be read as a mesh.
+   * Nodes that coincide become one, so that parts hold together; lines and faces are ignored, as a
+   * body has no conditions on its boundary; triangles are cut into three quadrilaterals each
+   * (tetrahedra into four hexahedra), and quadrilaterals beside them into four; elements of second
+   * order are read as linear. Material ids are the numbers of the physical groups. Throws the
+   * reason, a sentence of deal.II, if the file can't be read as a mesh.
    */
   template <int dim>
   void read_gmsh(const std::string &file, Triangulation<dim> &tria);
