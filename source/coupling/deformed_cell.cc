@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/coupling/deformed_cell.h>
-
-#include <deal.II/base/quadrature_lib.h>
+#include <caudal/mesh/surface_layer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,23 +10,18 @@ namespace caudal
 {
   namespace
   {
-    /** Quadrature with the given number of Gauss points in each direction. */
+    /** The part of a cell that is no face. */
     template <int dim>
-    Quadrature<dim> make_quadrature(const std::array<unsigned int, dim> &n)
-    {
-      if constexpr (dim == 2)
-        return QAnisotropic<2>(QGauss<1>(n[0]), QGauss<1>(n[1]));
-      else
-        return QAnisotropic<3>(QGauss<1>(n[0]), QGauss<1>(n[1]), QGauss<1>(n[2]));
-    }
+    constexpr unsigned int volume = GeometryInfo<dim>::faces_per_cell;
   } // namespace
 
   template <int dim>
   DeformedCell<dim>::DeformedCell(const DoFHandler<dim> &dofs, const Vector<double> &positions,
-                                  const double largest_spacing)
+                                  const double largest_spacing, const double surface_weight)
       : element(dofs.get_fe())
       , positions(positions)
       , largest_spacing(largest_spacing)
+      , surface_weight(surface_weight)
       , indices(element.n_dofs_per_cell())
       , nodes(indices.size() / dim)
   {}
@@ -50,12 +44,23 @@ namespace caudal
           longest = std::max(longest, nodes[v].distance(nodes[v + (1 << d)]));
       n[d] = std::clamp<double>(std::ceil(longest / largest_spacing), element.degree + 1, 32);
     }
+    parts = {volume<dim>};
+    if (surface_weight > 0)
+      for (const unsigned int face : cell->face_indices())
+        if (cell->at_boundary(face))
+          parts.push_back(face);
   }
 
   template <int dim>
   unsigned int DeformedCell<dim>::n_points() const
   {
-    return std::accumulate(n.begin(), n.end(), 1u, std::multiplies<unsigned int>());
+    const unsigned int in_volume =
+        std::accumulate(n.begin(), n.end(), 1u, std::multiplies<unsigned int>());
+    unsigned int result = 0;
+    for (const unsigned int part : parts)
+      result += part == volume<dim> ? in_volume
+                                    : in_volume / n[GeometryInfo<dim>::unit_normal_direction[part]];
+    return result;
   }
 
   template <int dim>
@@ -71,24 +76,38 @@ namespace caudal
   }
 
   template <int dim>
+  FEValues<dim> &DeformedCell<dim>::get_values(const unsigned int part)
+  {
+    std::unique_ptr<FEValues<dim>> &values = values_by_rule[{n, part}];
+    if (!values)
+      values = std::make_unique<FEValues<dim>>(element,
+                                               part == volume<dim>
+                                                   ? make_volume_quadrature<dim>(n)
+                                                   : make_surface_quadrature<dim>(part, n),
+                                               update_values | update_JxW_values);
+    values->reinit(cell);
+    return *values;
+  }
+
+  template <int dim>
   void DeformedCell<dim>::for_each_point(
       const std::function<void(const Point<dim> &, double, const std::vector<double> &)> &operation)
   {
-    std::unique_ptr<FEValues<dim>> &values = values_by_n[n];
-    if (!values)
-      values = std::make_unique<FEValues<dim>>(element, make_quadrature<dim>(n),
-                                               update_values | update_JxW_values);
-    values->reinit(cell);
     std::vector<double> shape(nodes.size());
-    for (const unsigned int r : values->quadrature_point_indices())
+    for (const unsigned int part : parts)
     {
-      Point<dim> point;
-      for (unsigned int a = 0; a < shape.size(); ++a)
+      const FEValues<dim> &values = get_values(part);
+      const double         factor = part == volume<dim> ? 1. : surface_weight;
+      for (const unsigned int r : values.quadrature_point_indices())
       {
-        shape[a] = values->shape_value(element.component_to_system_index(0, a), r);
-        point += shape[a] * nodes[a];
+        Point<dim> point;
+        for (unsigned int a = 0; a < shape.size(); ++a)
+        {
+          shape[a] = values.shape_value(element.component_to_system_index(0, a), r);
+          point += shape[a] * nodes[a];
+        }
+        operation(point, factor * values.JxW(r), shape);
       }
-      operation(point, values->JxW(r), shape);
     }
   }
 

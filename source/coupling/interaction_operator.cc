@@ -238,6 +238,7 @@ namespace caudal
   InteractionOperator<dim>::InteractionOperator(const Coupling &coupling, const Fluid &fluid,
                                                 const DoFHandler<dim> &body_dofs,
                                                 const Vector<double>  &positions,
+                                                const double           surface_weight,
                                                 const std::string     &name)
       : partitioner(fluid.partitioner)
   {
@@ -246,7 +247,8 @@ namespace caudal
         0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
 
     Assembler           assembler(coupling, fluid, body_dofs);
-    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / coupling.quadrature_density);
+    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / coupling.quadrature_density,
+                                  surface_weight);
     const double        margin = coupling.get_support() + 0.1; // round-off decides about touching
     std::vector<double> seen;                                  // of the kernel around each point
     for (const auto &cell : body_dofs.active_cell_iterators())

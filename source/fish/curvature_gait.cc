@@ -43,14 +43,14 @@ namespace caudal
         return false; // not known
       }
 
-      std::vector<Inclination> compute_inclinations(const std::vector<double> &s,
-                                                    const double               time) const override
+      std::vector<Motion> compute_inclinations(const std::vector<double> &s,
+                                               const double               time) const override
       {
         const double        spacing = length / n_pieces;
         std::vector<double> theta(1, 0.), rate(1, 0.), kappa, kappa_rate;
         for (unsigned int i = 0; i <= n_pieces; ++i)
         {
-          const Inclination bend = compute_bend(static_cast<double>(i) / n_pieces, time);
+          const Motion bend = compute_bend(static_cast<double>(i) / n_pieces, time);
           kappa.push_back(bend.value);
           kappa_rate.push_back(bend.rate);
           if (i > 0)
@@ -64,7 +64,7 @@ namespace caudal
         const Interpolation value(std::move(theta), std::move(kappa), 0., spacing);
         const Interpolation derivative(std::move(rate), std::move(kappa_rate), 0., spacing);
 
-        std::vector<Inclination> inclinations;
+        std::vector<Motion> inclinations;
         for (const double place : s)
         {
           const double inside = std::clamp(place, 0., spacing * n_pieces);
@@ -75,7 +75,7 @@ namespace caudal
 
     private:
       /** The curvature [1/m] at s/L and its rate, by a central difference. */
-      Inclination compute_bend(const double s, const double time) const
+      Motion compute_bend(const double s, const double time) const
       {
         const double increment = 1e-6;
         const double value     = curvature->value(s, time);

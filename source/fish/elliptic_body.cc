@@ -187,22 +187,45 @@ namespace caudal
   void EllipticShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                                            const std::string &path) const
   {
-    for (unsigned int d = 1; d < dim; ++d)
+    for (unsigned int d = 1; d < divisions.elements.size(); ++d)
       require(divisions.elements[d] >= 3, path, "Elements",
               "there are " + std::to_string(divisions.elements[d]) +
                   " elements across the body. Give at least three: a core and a layer round it.");
   }
 
+  namespace
+  {
+    /** Length, largest width and, in 3D, largest height. */
+    template <int dim>
+    Tensor<1, dim> get_sides(const StraightBody &body)
+    {
+      Tensor<1, dim> sides;
+      sides[0]             = body.get_length();
+      const unsigned int n = 100;
+      for (unsigned int i = 1; i < n; ++i)
+        for (unsigned int d = 1; d < dim; ++d)
+        {
+          const double x = 2. * i / n - 1.;
+          Point<3>     reference(x, 0., 0.);
+          reference[d] = std::sqrt(1. - x * x);
+          sides[d]     = std::max(sides[d], 2. * body.place(reference)[d]);
+        }
+      return sides;
+    }
+  } // namespace
+
   template <int dim>
   void EllipticShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                                      const std::string &, Triangulation<dim>          &tria) const
   {
-    std::vector<unsigned int> core = divisions.elements;
+    const auto                body = this->make_straight_body(lengths);
+    std::vector<unsigned int> core = divisions.get_elements(get_sides<dim>(*body));
+    for (unsigned int d = 1; d < dim; ++d)
+      core[d] = std::max(3u, core[d]);
     const unsigned int n_layers = std::max(1u, *std::min_element(core.begin() + 1, core.end()) / 5);
     for (unsigned int d = 1; d < dim; ++d)
       core[d] -= 2 * n_layers;
     make_cubed_ball(tria, core, n_layers);
-    const auto body = this->make_straight_body(lengths);
     GridTools::transform(
         [&body](const Point<dim> &reference) {
           Point<3> point;

@@ -26,10 +26,15 @@ namespace caudal
     return compute_angles(places, evaluate(argument).c).theta;
   }
 
-  std::vector<Gait::Inclination> Gait::compute_inclinations(const std::vector<double> &s,
-                                                            const double) const
+  std::vector<Gait::Motion> Gait::compute_shifts(const std::vector<double> &x, const double) const
   {
-    return std::vector<Inclination>(s.size());
+    return std::vector<Motion>(x.size());
+  }
+
+  std::vector<Gait::Motion> Gait::compute_inclinations(const std::vector<double> &s,
+                                                       const double) const
+  {
+    return std::vector<Motion>(s.size());
   }
 
   SpineAngles Gait::compute_angles(const std::vector<double> &s, const std::vector<double> &c,
@@ -37,7 +42,7 @@ namespace caudal
   {
     SpineAngles angles;
     angles.by_c.resize(1);
-    for (const Inclination &inclination : compute_inclinations(s, c[0]))
+    for (const Motion &inclination : compute_inclinations(s, c[0]))
     {
       angles.theta.push_back(inclination.value);
       angles.by_c[0].push_back(inclination.rate);

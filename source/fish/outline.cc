@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/grid/grid_tools.h>
 
+#include <caudal/fish/graded_grid.h>
 #include <caudal/fish/outline.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -164,11 +165,14 @@ namespace caudal
   void SlenderShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                                           const std::string &path) const
   {
+    const auto  outline    = make_outline();
+    const auto &boundaries = divisions.region_boundaries;
+    if (divisions.is_automatic())
+      return;
     require(divisions.elements[1] >= 4, path, "Elements",
             "there are " + std::to_string(divisions.elements[1]) +
                 " elements across the body. Give at least four: they wrap round the nose.");
-    const auto &boundaries = divisions.region_boundaries;
-    const Nose  nose(*make_outline(), divisions.elements[1]);
+    const Nose nose(*outline, divisions.elements[1]);
     require(boundaries.empty() || boundaries.front() > nose.core, path, "Region boundaries",
             "the first one lies within the round nose of the grid, which ends at " +
                 std::to_string(nose.core) + ". Give a larger fraction.");
@@ -180,12 +184,17 @@ namespace caudal
   {
     if constexpr (dim == 2)
     {
-      const auto  outline = make_outline();
-      OutlineGrid grid(*outline, divisions);
-      for (Point<2> &vertex : grid.vertices)
-        vertex *= lengths.length;
-      GridTools::consistently_order_cells(grid.cells);
-      tria.create_triangulation(grid.vertices, grid.cells, SubCellData());
+      const auto outline = make_outline();
+      if (divisions.is_automatic())
+        make_graded_grid(*outline, divisions.spacing / lengths.length, divisions.region_boundaries,
+                         tria);
+      else
+      {
+        OutlineGrid grid(*outline, divisions);
+        GridTools::consistently_order_cells(grid.cells);
+        tria.create_triangulation(grid.vertices, grid.cells, SubCellData());
+      }
+      GridTools::scale(lengths.length, tria);
     }
   }
 

@@ -53,8 +53,8 @@ namespace caudal
       }
 
     protected:
-      std::vector<Inclination> compute_inclinations(const std::vector<double> &s,
-                                                    const double argument) const override
+      std::vector<Motion> compute_inclinations(const std::vector<double> &s,
+                                               const double               argument) const override
       {
         const double omega = 2. * numbers::PI * frequency, k = 2. * numbers::PI * wave_number;
         const double psi      = is_periodic() ? argument : omega * argument;
@@ -64,7 +64,7 @@ namespace caudal
         const double growth_rate = shared.ramp.duration > 0. ? shared.ramp.rate(argument) : 0.;
         const double slope       = amplitude / (1. + offset);
 
-        std::vector<Inclination> inclinations;
+        std::vector<Motion> inclinations;
         for (const double place : s)
         {
           const double x = place / length, phase = k * x - psi;

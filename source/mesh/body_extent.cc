@@ -23,6 +23,7 @@ namespace caudal
       Tensor<1, dim>          inward_normal;
       unsigned int            region;
       double                  area;
+      double                  cell_volume;
       std::vector<Facet<dim>> facets;
     };
 
@@ -33,9 +34,10 @@ namespace caudal
     {
       const auto        face = cell->face(f);
       BoundaryFace<dim> result;
-      result.centre = face->center();
-      result.region = cell->material_id();
-      result.area   = face->measure();
+      result.centre      = face->center();
+      result.region      = cell->material_id();
+      result.area        = face->measure();
+      result.cell_volume = cell->measure();
       if constexpr (dim == 2)
       {
         result.inward_normal = cross_product_2d(face->vertex(1) - face->vertex(0));
@@ -83,17 +85,23 @@ namespace caudal
       }
       return solution[0] > 0. && sum < 1. + tolerance ? solution[0] : miss;
     }
+
+    template <int dim>
+    std::vector<BoundaryFace<dim>> collect_boundary(const Triangulation<dim> &tria)
+    {
+      std::vector<BoundaryFace<dim>> faces;
+      for (const auto &cell : tria.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f))
+            faces.push_back(make_boundary_face<dim>(cell, f));
+      return faces;
+    }
   } // namespace
 
   template <int dim>
   BodyExtent<dim> compute_extent(const Triangulation<dim> &tria)
   {
-    std::vector<BoundaryFace<dim>> faces;
-    for (const auto &cell : tria.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->at_boundary(f))
-          faces.push_back(make_boundary_face<dim>(cell, f));
-
+    const auto      faces = collect_boundary<dim>(tria);
     BodyExtent<dim> extent;
     extent.length = GridTools::compute_bounding_box(tria).side_length(0);
     for (const BoundaryFace<dim> &face : faces)
@@ -104,9 +112,40 @@ namespace caudal
           for (const Facet<dim> &facet : other.facets)
             distance =
                 std::min(distance, compute_distance<dim>(face.centre, face.inward_normal, facet));
-      extent.faces.push_back({distance, face.inward_normal, face.area, face.region});
+      extent.faces.push_back({distance, face.cell_volume / face.area, face.centre,
+                              face.inward_normal, face.area, face.region});
     }
     return extent;
+  }
+
+  template <int dim>
+  std::vector<std::pair<double, double>> compute_lateral_ends(const Triangulation<dim>      &tria,
+                                                              const std::vector<Point<dim>> &points)
+  {
+    const auto   faces    = collect_boundary<dim>(tria);
+    const double infinity = std::numeric_limits<double>::infinity();
+    // From outside, so that points on the surface find it, too.
+    const BoundingBox<dim>                 box   = GridTools::compute_bounding_box(tria);
+    const double                           start = box.lower_bound(1) - box.side_length(1);
+    std::vector<std::pair<double, double>> ends;
+    for (const Point<dim> &point : points)
+    {
+      double     low = infinity, high = -infinity;
+      Point<dim> outside = point;
+      outside[1]         = start;
+      for (const BoundaryFace<dim> &face : faces)
+        for (const Facet<dim> &facet : face.facets)
+        {
+          const double distance = compute_distance<dim>(outside, Point<dim>::unit_vector(1), facet);
+          if (distance < infinity)
+          {
+            low  = std::min(low, start + distance);
+            high = std::max(high, start + distance);
+          }
+        }
+      ends.emplace_back(std::min(low, point[1]), std::max(high, point[1]));
+    }
+    return ends;
   }
 
   template <int dim>
@@ -133,6 +172,11 @@ namespace caudal
 
   template BodyExtent<2> compute_extent(const Triangulation<2> &);
   template BodyExtent<3> compute_extent(const Triangulation<3> &);
+
+  template std::vector<std::pair<double, double>>
+  compute_lateral_ends(const Triangulation<2> &, const std::vector<Point<2>> &);
+  template std::vector<std::pair<double, double>>
+  compute_lateral_ends(const Triangulation<3> &, const std::vector<Point<3>> &);
 
   template double compute_min_scaled_jacobian(const Triangulation<2> &);
   template double compute_min_scaled_jacobian(const Triangulation<3> &);

@@ -9,24 +9,21 @@
 namespace caudal
 {
   template <int dim>
-  BodyGridParameters<dim>::BodyGridParameters()
-  {
-    divisions.elements =
-        dim == 2 ? std::vector<unsigned int>{209, 10} : std::vector<unsigned int>{20, 8, 8};
-  }
-
-  template <int dim>
   void BodyGridParameters<dim>::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Shape");
     shape.add_entries(prm);
     prm.add_parameter(
-        "Elements", divisions.elements,
-        "Number of elements along and across the body (3D: along, across, in the third "
-        "direction); round and across the wall of ring; of the flag alone. The round nose of "
+        "Elements", elements,
+        "automatic: elements 1.25 of the fluid's finest cells high at the surface (of degree 2: "
+        "2), "
+        "one across where the body is thinner than 1.6 of that. Or the number of elements along "
+        "and across "
+        "the body (3D: along, across, in the third direction); round and across the wall of ring; "
+        "of the flag alone. The round nose of "
         "naca and eel and the round ends of stations add a few. Of disc, ellipse and ellipsoid "
         "only the product counts: they get about that many elements.",
-        Patterns::List(Patterns::Integer(1), dim, dim));
+        Patterns::Anything());
     prm.add_parameter(
         "Position", position,
         "Where the origin of the shape is put at the start [m]: nose of naca, eel, stations and "
@@ -36,7 +33,7 @@ namespace caudal
                       "Angle from the x axis to the axis of the shape, about its origin "
                       "(3D: about z), counter-clockwise [degrees].",
                       Patterns::Double());
-    prm.add_parameter("Region boundaries", divisions.region_boundaries,
+    prm.add_parameter("Region boundaries", region_boundaries,
                       "Places, as increasing fractions of the length, that separate the regions of "
                       "the body, from the front (low x) to the back; none: one region. Not for the "
                       "types file and cylinder with flag.",
@@ -65,10 +62,7 @@ namespace caudal
                    std::to_string(5 - dim) + "D only. Choose one of " +
                    list_shapes<dim>([](const Shape<dim> &s) { return s.has_grid(); }) + "."));
 
-    const auto &[elements, region_boundaries] = divisions;
-    AssertThrow(elements.size() == dim,
-                ExcMessage(entries + "Elements: there are " + std::to_string(elements.size()) +
-                           " numbers. Give " + std::to_string(dim) + "."));
+    const GridDivisions divisions = get_divisions(0., path);
     for (unsigned int i = 0; i < region_boundaries.size(); ++i)
       AssertThrow(region_boundaries[i] > (i == 0 ? 0. : region_boundaries[i - 1]) &&
                       region_boundaries[i] < 1.,
@@ -76,13 +70,28 @@ namespace caudal
                              "Region boundaries: " + Patterns::Tools::to_string(region_boundaries) +
                              " does not increase between 0 and 1. Give increasing fractions of "
                              "the length, without its ends."));
-    AssertThrow(type.get_region_entry() != "" || elements[0] > region_boundaries.size(),
-                ExcMessage(entries + "Elements: " + std::to_string(elements[0]) +
+    AssertThrow(type.get_region_entry() != "" || divisions.is_automatic() ||
+                    divisions.elements[0] > region_boundaries.size(),
+                ExcMessage(entries + "Elements: " + elements +
                            " along the body are fewer than its " +
                            std::to_string(region_boundaries.size() + 1) +
                            " regions. Give one for each at least."));
     shape.check(section);
     type.check_divisions(shape.lengths, divisions, section);
+  }
+
+  template <int dim>
+  GridDivisions BodyGridParameters<dim>::get_divisions(const double       spacing,
+                                                       const std::string &path) const
+  {
+    GridDivisions divisions{{}, spacing, region_boundaries};
+    if (has_automatic_elements())
+      return divisions;
+    AssertThrow(Patterns::List(Patterns::Integer(1), dim, dim).match(elements),
+                ExcMessage(path + "/Shape/Elements: the value is <" + elements + ">. Give " +
+                           std::to_string(dim) + " numbers separated by commas, or automatic."));
+    divisions.elements = Patterns::Tools::Convert<std::vector<unsigned int>>::to_value(elements);
+    return divisions;
   }
 
   namespace
@@ -143,14 +152,15 @@ namespace caudal
 
   template <int dim>
   void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,
-                      const std::vector<std::string> &regions, const std::string &path)
+                      const double spacing, const std::vector<std::string> &regions,
+                      const std::string &path)
   {
     const unsigned int n_regions = regions.size();
     parameters.check(path);
     const Shape<dim>  &shape        = parameters.shape.type.get();
     const std::string  entries      = path + "/Shape/";
     const bool         divided      = shape.get_region_entry() != "";
-    const unsigned int n_boundaries = parameters.divisions.region_boundaries.size();
+    const unsigned int n_boundaries = parameters.region_boundaries.size();
     AssertThrow(
         n_boundaries == (divided ? 0 : n_regions - 1),
         ExcMessage(
@@ -159,7 +169,8 @@ namespace caudal
             (divided ? "none, as a " + parameters.shape.type.get_name() + " has regions of its own."
                      : "one fewer than regions.")));
 
-    shape.make_grid(parameters.shape.lengths, parameters.divisions, path + "/Shape", tria);
+    shape.make_grid(parameters.shape.lengths, parameters.get_divisions(spacing, path),
+                    path + "/Shape", tria);
     tria.reset_all_manifolds();
     tria.set_all_manifold_ids(numbers::flat_manifold_id);
 
@@ -188,9 +199,9 @@ namespace caudal
   template struct BodyGridParameters<2>;
   template struct BodyGridParameters<3>;
 
-  template void make_body_grid(Triangulation<2> &, const BodyGridParameters<2> &,
+  template void make_body_grid(Triangulation<2> &, const BodyGridParameters<2> &, double,
                                const std::vector<std::string> &, const std::string &);
-  template void make_body_grid(Triangulation<3> &, const BodyGridParameters<3> &,
+  template void make_body_grid(Triangulation<3> &, const BodyGridParameters<3> &, double,
                                const std::vector<std::string> &, const std::string &);
 
   template Point<2> place_in_domain(const BodyGridParameters<2> &, const Point<2> &);

@@ -20,9 +20,10 @@ namespace caudal
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                      const std::string &, Triangulation<dim>          &tria) const override
       {
-        const Tensor<1, dim>             sides = lengths.get_sides<dim>();
+        const Tensor<1, dim>             sides    = lengths.get_sides<dim>();
+        const std::vector<unsigned int>  elements = divisions.get_elements(sides);
         std::vector<std::vector<double>> steps(dim);
-        for (const double step : divisions.compute_steps_along())
+        for (const double step : divisions.compute_steps_along(elements[0]))
           steps[0].push_back(sides[0] * step);
 
         Point<dim> lower, upper;
@@ -30,7 +31,7 @@ namespace caudal
         upper[0] = lower[0] + sides[0];
         for (unsigned int d = 1; d < dim; ++d)
         {
-          steps[d].assign(divisions.elements[d], sides[d] / divisions.elements[d]);
+          steps[d].assign(elements[d], sides[d] / elements[d]);
           lower[d] = -0.5 * sides[d];
           upper[d] = 0.5 * sides[d];
         }

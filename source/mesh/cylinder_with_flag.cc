@@ -118,9 +118,11 @@ namespace caudal
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                      const std::string &, Triangulation<dim>          &tria) const override
       {
+        const Tensor<1, 2> flag({lengths.length, lengths.thickness});
+        const auto         elements = divisions.get_elements(flag);
         if constexpr (dim == 2)
           make_cylinder_with_flag(tria, lengths.radius, lengths.length, lengths.thickness,
-                                  divisions.elements[0], divisions.elements[1]);
+                                  elements[0], elements[1]);
       }
     };
 

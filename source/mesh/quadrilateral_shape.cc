@@ -44,12 +44,15 @@ namespace caudal
       {
         if constexpr (dim == 2)
         {
+          const auto                     &v        = vertices;
+          const std::vector<unsigned int> elements = divisions.get_elements(
+              Tensor<1, 2>({0.5 * (v[0].distance(v[1]) + v[2].distance(v[3])),
+                            0.5 * (v[1].distance(v[2]) + v[3].distance(v[0]))}));
           const std::vector<std::vector<double>> steps{
-              divisions.compute_steps_along(),
-              std::vector<double>(divisions.elements[1], 1. / divisions.elements[1])};
+              divisions.compute_steps_along(elements[0]),
+              std::vector<double>(elements[1], 1. / elements[1])};
           GridGenerator::subdivided_hyper_rectangle(tria, steps, Point<2>(), Point<2>(1., 1.));
           assign_regions(tria, divisions.region_boundaries);
-          const auto &v = vertices;
           GridTools::transform(
               [&v](const Point<2> &p) {
                 return Point<2>((1. - p[1]) * ((1. - p[0]) * v[0] + p[0] * v[1]) +

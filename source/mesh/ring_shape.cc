@@ -31,7 +31,7 @@ namespace caudal
       void check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                            const std::string &path) const override
       {
-        require(divisions.elements[0] >= 8, path, "Elements",
+        require(divisions.is_automatic() || divisions.elements[0] >= 8, path, "Elements",
                 "there are " + std::to_string(divisions.elements[0]) +
                     " elements round the ring. Give at least eight.");
       }
@@ -39,10 +39,15 @@ namespace caudal
       void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                      const std::string &, Triangulation<dim>          &tria) const override
       {
+        const double inner = lengths.radius, outer = inner + wall_thickness;
         if constexpr (dim == 2)
-          GridGenerator::concentric_hyper_shells(tria, Point<2>(), lengths.radius,
-                                                 lengths.radius + wall_thickness,
-                                                 divisions.elements[1], 0., divisions.elements[0]);
+        {
+          const auto elements =
+              divisions.get_elements(Tensor<1, 2>({numbers::PI * (inner + outer), wall_thickness}));
+          GridGenerator::concentric_hyper_shells(tria, Point<2>(), inner, outer, elements[1], 0.,
+                                                 std::max(8u, elements[0]));
+          scale_to_volume(tria, numbers::PI * (outer * outer - inner * inner));
+        }
         assign_regions(tria, divisions.region_boundaries);
       }
 

@@ -12,9 +12,26 @@
 
 namespace caudal
 {
-  std::vector<double> GridDivisions::compute_steps_along() const
+  unsigned int GridDivisions::count_elements(const double length) const
   {
-    const std::vector<double> columns = compute_columns(0., region_boundaries, elements[0]);
+    return length < 1.6 * spacing ? 1 : std::lround(length / spacing);
+  }
+
+  template <int dim>
+  std::vector<unsigned int> GridDivisions::get_elements(const Tensor<1, dim> &sides) const
+  {
+    if (!is_automatic())
+      return elements;
+    std::vector<unsigned int> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result.push_back(count_elements(sides[d]));
+    result[0] = std::max<unsigned int>(result[0], region_boundaries.size() + 1);
+    return result;
+  }
+
+  std::vector<double> GridDivisions::compute_steps_along(const unsigned int n_along) const
+  {
+    const std::vector<double> columns = compute_columns(0., region_boundaries, n_along);
     std::vector<double>       steps;
     for (unsigned int i = 1; i < columns.size(); ++i)
       steps.push_back(columns[i] - columns[i - 1]);
@@ -125,6 +142,12 @@ namespace caudal
   }
 
   template <int dim>
+  void scale_to_volume(Triangulation<dim> &tria, const double volume)
+  {
+    GridTools::scale(std::pow(volume / GridTools::volume(tria), 1. / dim), tria);
+  }
+
+  template <int dim>
   void subdivide(const Triangulation<dim> &coarse, const unsigned int n, Triangulation<dim> &tria)
   {
     Triangulation<dim> pattern;
@@ -156,6 +179,10 @@ namespace caudal
   template struct ShapeParameters<3>;
   template void assign_regions(Triangulation<2> &, const std::vector<double> &);
   template void assign_regions(Triangulation<3> &, const std::vector<double> &);
+  template std::vector<unsigned int> GridDivisions::get_elements(const Tensor<1, 2> &) const;
+  template std::vector<unsigned int> GridDivisions::get_elements(const Tensor<1, 3> &) const;
+  template void                      scale_to_volume(Triangulation<2> &, double);
+  template void                      scale_to_volume(Triangulation<3> &, double);
   template void subdivide(const Triangulation<2> &, unsigned int, Triangulation<2> &);
   template void subdivide(const Triangulation<3> &, unsigned int, Triangulation<3> &);
 } // namespace caudal

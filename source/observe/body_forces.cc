@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/backward_difference.h>
 #include <caudal/observe/observer.h>
+#include <caudal/solid/rigid_motion.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -26,6 +27,7 @@ namespace caudal
      * - feedback force: the same with the feedback forces alone; for bodies that
      *   are held and neither swim nor have another density than the fluid.
      * The inertia of the fluid in the place of the bodies B is part of both.
+     * The moment of the fluid about the centre of mass is that of the body force.
      */
     template <int dim>
     class BodyForces : public Observer<dim>
@@ -38,16 +40,23 @@ namespace caudal
       void start(const Observation<dim> &observation, const ObserverContext<dim> &) override
       {
         momenta.resize(observation.bodies.size());
+        angular_momenta.resize(observation.bodies.size());
       }
 
       void observe_step(const Observation<dim> &observation, const ObserverContext<dim> &) override
       {
         for (unsigned int b = 0; b < momenta.size(); ++b)
         {
-          const auto &[body, state, report] = observation.bodies[b];
-          momenta[b].add(observation.time, observation.space.get_parameters().density *
-                                               body.get_solid().get_reference_volume() *
+          const auto          &[body, state, report] = observation.bodies[b];
+          const SolidBody<dim> &solid                = body.get_solid();
+          const double          density = observation.space.get_parameters().density;
+          momenta[b].add(observation.time, density * solid.get_reference_volume() *
                                                body.get_mean_velocity(state));
+          Vector<double> nodal_momenta(solid.n_dofs());
+          solid.get_mass_matrix().vmult(nodal_momenta, state.velocity);
+          nodal_momenta *= density;
+          angular_momenta[b].add(observation.time,
+                                 compute_moment(solid, state.positions, nodal_momenta));
         }
       }
 
@@ -63,6 +72,13 @@ namespace caudal
                                      change[d] - force[d]);
         };
         set(" of the fluid", body.get_resultant(state));
+        const auto moment =
+            angular_momenta[b].get_derivative() -
+            compute_moment(body.get_solid(), state.positions, body.compute_forces_on_fluid(state));
+        for (unsigned int k = 0; k < n_rotations; ++k)
+          statistics.set(body.get_name() + ": moment" +
+                             (dim == 2 ? "" : std::string(" ") + "xyz"[k]) + " of the fluid",
+                         get_extensive_unit<dim>("N m"), moment[k]);
         if (!is_merely_held(body))
           return;
         const Vector<double> forces = body.compute_force(
@@ -75,11 +91,26 @@ namespace caudal
 
       void exchange_state(StateArchive &archive) override
       {
-        archive &momenta;
+        archive &momenta &angular_momenta;
       }
 
     private:
-      std::vector<BackwardDifference<dim>> momenta;
+      static constexpr unsigned int n_rotations = dim * (dim - 1) / 2;
+
+      std::vector<BackwardDifference<dim>>         momenta;
+      std::vector<BackwardDifference<n_rotations>> angular_momenta;
+
+      /** The moment of nodal forces about the centre of mass. */
+      static Tensor<1, n_rotations> compute_moment(const SolidBody<dim> &solid,
+                                                   const Vector<double> &positions,
+                                                   const Vector<double> &forces)
+      {
+        const auto             modes = make_rigid_velocities(solid, positions);
+        Tensor<1, n_rotations> moment;
+        for (unsigned int k = 0; k < n_rotations; ++k)
+          moment[k] = modes[dim + k] * forces;
+        return moment;
+      }
     };
 
     const DimensionalRegistration<Observer, BodyForces>

@@ -68,9 +68,9 @@ namespace caudal
   }
 
   template <int dim>
-  Body<dim>::Body(const BodyParameters<dim> &parameters, const double fluid_density)
+  Body<dim>::Body(const BodyParameters<dim> &parameters, const Surroundings &fluid)
       : parameters(parameters)
-      , solid(parameters.solid, fluid_density)
+      , solid(parameters.solid, fluid)
       , extent(compute_extent(solid.get_triangulation()))
       , controller(parameters.controller.type.create())
   {
@@ -130,7 +130,10 @@ namespace caudal
   BodyState Body<dim>::make_initial_state() const
   {
     BodyState state;
-    state.positions = state.old_positions = solid.get_initial_positions();
+    state.positions = solid.get_initial_positions();
+    if (has_gait())
+      state.positions = compute_first_positions(solid, *gait);
+    state.old_positions = state.positions;
     for (Vector<double> *field : {&state.velocity, &state.old_velocity, &state.force_density})
       field->reinit(solid.n_dofs());
     state.contraction.after = muscle->get_initial_memory();
@@ -170,6 +173,24 @@ namespace caudal
       load->add(motion, force, response);
     }
     return forces;
+  }
+
+  template <int dim>
+  Vector<double> Body<dim>::compute_forces_on_fluid(const BodyState &state) const
+  {
+    Vector<double> forces(solid.n_dofs());
+    solid.get_coupling_mass().vmult(forces, state.force_density);
+    return forces;
+  }
+
+  template <int dim>
+  Tensor<1, dim> Body<dim>::get_resultant(const BodyState &state) const
+  {
+    const Vector<double> forces = compute_forces_on_fluid(state);
+    Tensor<1, dim>       sum;
+    for (const auto &node : solid.get_nodes())
+      sum += get_value(forces, node);
+    return sum;
   }
 
   template <int dim>

@@ -22,7 +22,7 @@ namespace caudal
   ElasticBody<dim>::ElasticBody(const ElasticParameters<dim> &parameters,
                                 const MPI_Comm                communicator)
       : parameters(parameters)
-      , solid(*parameters.solid, /*fluid_density=*/0.)
+      , solid(*parameters.solid, Surroundings())
       , elasticity(make_elastic_load(solid))
       , response(solid.get_sparsity_pattern())
       , weight(solid.n_dofs())

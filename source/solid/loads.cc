@@ -243,6 +243,20 @@ namespace caudal
       const std::unique_ptr<Expression<dim>> traction;
     };
 
+    /** The body's nodes, each with its section. */
+    template <int dim>
+    std::vector<BodyPoint<dim>> get_points(const SolidBody<dim> &body)
+    {
+      std::vector<Point<dim>> places;
+      for (const auto &node : body.get_nodes())
+        places.push_back(body.get_reference_point(node[0]));
+      const auto                  ends = compute_lateral_ends(body.get_triangulation(), places);
+      std::vector<BodyPoint<dim>> points;
+      for (std::size_t p = 0; p < places.size(); ++p)
+        points.push_back({places[p], ends[p].first, ends[p].second});
+      return points;
+    }
+
     // Errors of the shape are worked off within so many steps.
     constexpr double n_relaxation_steps = 10;
 
@@ -270,14 +284,6 @@ namespace caudal
     private:
       const PrescribedMotion<dim> prescribed; // of the nodes
       const double                damping;
-
-      static std::vector<Point<dim>> get_points(const SolidBody<dim> &body)
-      {
-        std::vector<Point<dim>> points;
-        for (const auto &node : body.get_nodes())
-          points.push_back(body.get_reference_point(node[0]));
-        return points;
-      }
 
       Vector<double> compute_velocity(const BodyMotion &motion) const
       {
@@ -333,13 +339,27 @@ namespace caudal
     return std::make_unique<GaitLoad<dim>>(body, gait, damping);
   }
 
+  template <int dim>
+  Vector<double> compute_first_positions(const SolidBody<dim> &body, const Gait &gait)
+  {
+    const auto     shape = PrescribedMotion<dim>(gait, get_points(body)).compute(0.);
+    const auto    &nodes = body.get_nodes();
+    Vector<double> positions(body.n_dofs());
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      set_value(positions, nodes[n],
+                place_in_domain(body.get_parameters().grid, shape.positions[n]));
+    return positions;
+  }
+
 #define INSTANTIATE(dim)                                                                           \
   template std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &);                   \
   template std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &);                  \
   template std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &,                     \
                                                        const Muscle<dim> &);                       \
   template std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &);                   \
-  template std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &, const Gait &, double);
+  template std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &, const Gait &,         \
+                                                     double);                                      \
+  template Vector<double>             compute_first_positions(const SolidBody<dim> &, const Gait &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

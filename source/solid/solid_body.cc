@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/mesh/surface_layer.h>
 #include <caudal/solid/solid_body.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -15,12 +16,17 @@
 namespace caudal
 {
   template <int dim>
-  SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const double fluid_density)
+  SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const Surroundings &fluid)
       : parameters(parameters)
       , element(FE_Q<dim>(parameters.polynomial_degree), dim)
-      , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid_density)
+      , excess_density(parameters.density == 0 ? 0 : parameters.density - fluid.density)
   {
-    make_body_grid(triangulation, parameters.grid, parameters.regions, parameters.get_path());
+    AssertThrow(fluid.cell > 0. || !parameters.grid.has_automatic_elements(),
+                ExcMessage(parameters.get_path() +
+                           "/Shape/Elements: they are automatic, which is by the fluid's cells, "
+                           "and this model has no fluid. Give numbers."));
+    make_body_grid(triangulation, parameters.grid, parameters.get_element_size(fluid.cell),
+                   parameters.regions, parameters.get_path());
     for (unsigned int r = 0; r < parameters.regions.size(); ++r)
       materials.push_back(
           parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));
@@ -137,11 +143,42 @@ namespace caudal
             }
           }
     }
-    inverse_mass.initialize(mass);
+    assemble_coupling_mass();
     Vector<double> ones(n_dofs());
     ones = 1;
     nodal_volumes.reinit(n_dofs());
     mass.vmult(nodal_volumes, ones);
+  }
+
+  template <int dim>
+  void SolidBody<dim>::assemble_coupling_mass()
+  {
+    coupling_mass.reinit(pattern);
+    coupling_mass.copy_from(mass);
+    std::array<unsigned int, dim> n_points;
+    n_points.fill(element.degree + 1);
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    for (const unsigned int face : GeometryInfo<dim>::face_indices())
+    {
+      FEValues<dim> values(element, make_surface_quadrature<dim>(face, n_points),
+                           update_values | update_JxW_values);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (!cell->at_boundary(face))
+          continue;
+        values.reinit(cell);
+        cell->get_dof_indices(dofs);
+        for (const unsigned int i : values.dof_indices())
+          for (const unsigned int j : values.dof_indices())
+            if (element.system_to_component_index(i).first ==
+                element.system_to_component_index(j).first)
+              for (const unsigned int r : values.quadrature_point_indices())
+                coupling_mass.add(dofs[i], dofs[j],
+                                  parameters.get_surface_weight() * values.JxW(r) *
+                                      values.shape_value(i, r) * values.shape_value(j, r));
+      }
+    }
+    inverse_coupling_mass.initialize(coupling_mass);
   }
 
   template <int dim>
@@ -165,9 +202,17 @@ namespace caudal
   }
 
   template <int dim>
+  void SolidBody<dim>::apply_inverse_coupling_mass(Vector<double> &vector) const
+  {
+    inverse_coupling_mass.solve(vector);
+  }
+
+  template <int dim>
   void SolidBody<dim>::apply_inverse_mass(Vector<double> &vector) const
   {
-    inverse_mass.solve(vector);
+    SparseDirectUMFPACK inverse;
+    inverse.initialize(mass);
+    inverse.solve(vector);
   }
 
   template <int dim>

@@ -115,6 +115,12 @@ namespace caudal
   {
     prm.add_parameter("Polynomial degree", polynomial_degree,
                       "Degree of the body's finite elements [1].", Patterns::Integer(1, 2));
+    prm.add_parameter(
+        "Surface weight", surface_weight,
+        "Weight beta of the body's surface beside its first layer of elements where body and fluid "
+        "exchange velocity and force [1]: without it the wall acts too far inside, in proportion "
+        "to the height of that layer. automatic: 0.35 for elements of degree 1, 0.15 for degree "
+        "2.");
     prm.add_parameter("Density", density, "Density of the body [kg/m^3]; 0: that of the fluid.");
     prm.add_parameter("Monitored points", monitored_points,
                       "Points of the body, in its own frame, whose position and velocity become "
@@ -139,9 +145,30 @@ namespace caudal
   {
     check_not_negative(get_path() + "/Density", density,
                        "Give a positive density [kg/m^3], or 0 for the fluid's.");
+    get_surface_weight();
     grid.check(get_path());
     for (unsigned int r = 0; r < regions.size(); ++r)
       region_parameters[r]->check(get_region_path(r));
+  }
+
+  template <int dim>
+  double SolidParameters<dim>::get_element_size(const double fluid_cell) const
+  {
+    return (polynomial_degree == 1 ? 1.25 : 2.) * fluid_cell;
+  }
+
+  template <int dim>
+  double SolidParameters<dim>::get_surface_weight() const
+  {
+    const std::string path = get_path() + "/Surface weight";
+    if (surface_weight == "automatic")
+      return polynomial_degree == 1 ? 0.35 : 0.15;
+    AssertThrow(Patterns::Double().match(surface_weight),
+                ExcMessage(path + ": the value is <" + surface_weight +
+                           ">. Give automatic or a number, 0.3 for example."));
+    const double value = Utilities::string_to_double(surface_weight);
+    check_value(value >= 0 && value <= 2, path, value, "Give a number from 0 to 2.");
+    return value;
   }
 
   template struct MaterialParameters<2>;

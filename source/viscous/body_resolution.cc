@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/print.h>
 #include <caudal/viscous/body_resolution.h>
 
 #include <algorithm>
@@ -7,30 +8,58 @@
 
 namespace caudal
 {
-  template <int dim>
-  double get_finest_cell(const DomainParameters<dim> &domain)
-  {
-    return domain.get_cell_size(domain.get_finest_level()).norm() / std::sqrt(dim);
-  }
-
   namespace
   {
     /** In a grid of cells with edges h_d there is a face each 1/|(n_d/h_d)_d| along n. */
     template <int dim>
-    CountedThickness<dim> count_cells(const FaceThickness<dim> &face, const SolidBody<dim> &solid,
-                                      const Tensor<1, dim> &cell)
+    double count_cells_per_metre(const Tensor<1, dim> &direction, const Tensor<1, dim> &cell)
     {
-      CountedThickness<dim> result;
-      result.thickness = face.thickness;
-      for (unsigned int d = 0; d < dim; ++d)
-        result.direction += face.direction[d] * solid.get_initial_axis(d);
       double cells_per_metre = 0;
       for (unsigned int d = 0; d < dim; ++d)
-        cells_per_metre = std::hypot(cells_per_metre, result.direction[d] / cell[d]);
-      result.n_cells = cells_per_metre * face.thickness;
-      return result;
+        cells_per_metre = std::hypot(cells_per_metre, direction[d] / cell[d]);
+      return cells_per_metre;
+    }
+
+    template <int dim>
+    void measure_layer(const Body<dim> &body, const Tensor<1, dim> &cell,
+                       BodyResolution<dim> &result)
+    {
+      const SolidBody<dim> &solid    = body.get_solid();
+      double                low_area = 0, high_area = 0, area = 0;
+      const double          size = solid.get_parameters().get_element_size(1.);
+      result.least_height        = lowest_layer * size;
+      result.most_height         = highest_layer * size;
+      result.lowest.n_cells      = std::numeric_limits<double>::infinity();
+      result.highest.n_cells     = 0;
+      for (const FaceThickness<dim> &face : body.get_extent().faces)
+      {
+        const Tensor<1, dim>   direction = solid.rotate_to_domain(face.direction);
+        const LayerHeight<dim> layer{face.height * count_cells_per_metre(direction, cell),
+                                     place_in_domain(solid.get_parameters().grid, face.centre),
+                                     direction};
+        if (layer.n_cells < result.lowest.n_cells)
+          result.lowest = layer;
+        if (layer.n_cells > result.highest.n_cells)
+          result.highest = layer;
+        area += face.area;
+        // A thin body can't have less than one element across.
+        const bool spans_body = face.height > 0.75 * face.thickness;
+        low_area += layer.n_cells < result.least_height && !spans_body ? face.area : 0;
+        high_area += layer.n_cells > result.most_height ? face.area : 0;
+      }
+      result.share_too_low  = low_area / area;
+      result.share_too_high = high_area / area;
     }
   } // namespace
+
+  template <int dim>
+  std::string print_place(const Point<dim> &place)
+  {
+    std::string text;
+    for (unsigned int d = 0; d < dim; ++d)
+      text += (d > 0 ? ", " : "") + print_rounded(place[d]);
+    return text;
+  }
 
   template <int dim>
   BodyResolution<dim> measure_resolution(const Body<dim> &body, const DomainParameters<dim> &domain)
@@ -40,14 +69,19 @@ namespace caudal
     const Tensor<1, dim> cell = domain.get_cell_size(domain.get_finest_level());
 
     BodyResolution<dim> result;
+    measure_layer(body, cell, result);
     result.spacing_ratio = std::pow(volume, 1. / dim) / solid.get_parameters().polynomial_degree /
-                           get_finest_cell(domain);
+                           domain.get_finest_cell();
     result.thinnest.resize(solid.get_parameters().regions.size());
     std::vector<std::pair<CountedThickness<dim>, double>> faces; // with areas
     double                                                half_area = 0;
     for (const FaceThickness<dim> &face : body.get_extent().faces)
     {
-      faces.emplace_back(count_cells(face, solid, cell), face.area);
+      const Tensor<1, dim> direction = solid.rotate_to_domain(face.direction);
+      faces.emplace_back(
+          CountedThickness<dim>{face.thickness,
+                                face.thickness * count_cells_per_metre(direction, cell), direction},
+          face.area);
       half_area += 0.5 * face.area;
       CountedThickness<dim> &thinnest = result.thinnest[face.region];
       if (faces.back().first.n_cells < thinnest.n_cells)
@@ -87,7 +121,7 @@ namespace caudal
   }
 
 #define INSTANTIATE(dim)                                                                           \
-  template double              get_finest_cell(const DomainParameters<dim> &);                     \
+  template std::string         print_place(const Point<dim> &);                                    \
   template BodyResolution<dim> measure_resolution(const Body<dim> &,                               \
                                                   const DomainParameters<dim> &);                  \
   template void                check_resolution(const Operators<dim> &);

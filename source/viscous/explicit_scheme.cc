@@ -94,13 +94,13 @@ namespace caudal
         return next;
       }
 
-      /** Phi = M_s^-1 b */
+      /** Phi = C^-1 b */
       static Vector<double> compute_force_density(const Body<dim> &body, const BodyForces &forces)
       {
         Vector<double> density(body.get_solid().n_dofs());
         for (const auto &account : forces)
           density += account.second;
-        body.get_solid().apply_inverse_mass(density);
+        body.get_solid().apply_inverse_coupling_mass(density);
         return density;
       }
 

@@ -21,14 +21,6 @@ namespace caudal
     // The part of a checkpoint that holds the reports.
     const std::string output_part = "energies, tail beats or counters of the output";
     const std::string report_part = "results of the last step";
-
-    template <int dim>
-    std::string print_place(const Point<dim> &point)
-    {
-      std::ostringstream text;
-      text << "(" << point << ")";
-      return text.str();
-    }
   } // namespace
 
   template <int dim>
@@ -83,16 +75,17 @@ namespace caudal
         const Point<dim> point = get_value(states.back().positions, node);
         AssertThrow(domain.point_inside(point),
                     ExcMessage("Body " + body->get_name() +
-                               "/Shape/Position: the body reaches the point " + print_place(point) +
-                               ", which is outside of the domain. Move the body, or "
+                               "/Shape/Position: the body reaches the point (" +
+                               print_place(point) +
+                               "), which is outside of the domain. Move the body, or "
                                "change Domain/Size."));
         for (const auto &other : operators.bodies)
           AssertThrow(other == body || !other->get_solid().contains_at_start(point),
                       ExcMessage("Body " + body->get_name() +
                                  "/Shape/Position: the body overlaps "
                                  "with body " +
-                                 other->get_name() + " at " + print_place(point) +
-                                 ". Place them apart."));
+                                 other->get_name() + " at (" + print_place(point) +
+                                 "). Place them apart."));
       }
     }
     check_distances(operators, states);

@@ -13,7 +13,8 @@ namespace caudal
       check_sizes(parameters, communicator);
       Bodies<dim> bodies;
       for (const auto &body : parameters.bodies)
-        bodies.push_back(std::make_unique<Body<dim>>(*body, parameters.fluid.density));
+        bodies.push_back(std::make_unique<Body<dim>>(
+            *body, Surroundings{parameters.fluid.density, parameters.domain.get_finest_cell()}));
       check_fluid_size(parameters, bodies, communicator);
       return bodies;
     }
@@ -58,12 +59,13 @@ namespace caudal
                                                                const Vector<double> &x,
                                                                const double          time) const
   {
-    TimerOutput::Scope timer_section(timer, "interaction operator");
+    TimerOutput::Scope    timer_section(timer, "interaction operator");
+    const SolidBody<dim> &solid = bodies[b]->get_solid();
     return InteractionOperator<dim>(coupling,
                                     {*finest_cells, space.velocity_dofs,
                                      space.get_constraints(time), space.get_velocity_layout()},
-                                    bodies[b]->get_solid().get_dof_handler(), x,
-                                    bodies[b]->get_name());
+                                    solid.get_dof_handler(), x,
+                                    solid.get_parameters().get_surface_weight(), solid.get_name());
   }
 
   template <int dim>

@@ -136,15 +136,15 @@ namespace caudal
         return operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
       }
 
-      /** r_U = G u - M_s U*, r_Phi = b(X*, U*) - M_s Phi, and that of the frame. */
+      /** r_U = G u - C U*, r_Phi = b(X*, U*) - C Phi, and that of the frame. */
       static BodyUnknowns compute_body_residual(const Body<dim> &body, const BodyState &state,
                                                 const TimeWeights           &weights,
                                                 const Linearisation::Body   &point,
                                                 const LinearisedBodies<dim> &bodies,
                                                 const unsigned int b, const CoupledUnknowns &guess)
       {
-        const SolidBody<dim>       &solid = body.get_solid();
-        const SparseMatrix<double> &mass  = solid.get_mass_matrix();
+        const SolidBody<dim>       &solid         = body.get_solid();
+        const SparseMatrix<double> &coupling_mass = solid.get_coupling_mass();
         BodyUnknowns                residual;
         residual.force_density.reinit(solid.n_dofs());
         for (const auto &account : bodies.forces[b])
@@ -156,13 +156,13 @@ namespace caudal
           acceleration.add(weights.derivative[1], state.velocity, weights.derivative[2],
                            state.old_velocity);
           acceleration *= -solid.get_excess_density();
-          mass.vmult_add(residual.force_density, acceleration);
+          solid.get_mass_matrix().vmult_add(residual.force_density, acceleration);
         }
         Vector<double> product(solid.n_dofs());
-        mass.vmult(product, state.force_density);
+        coupling_mass.vmult(product, state.force_density);
         residual.force_density -= product;
         residual.velocity = bodies.interactions[b].interpolate(guess.velocity);
-        mass.vmult(product, point.velocity);
+        coupling_mass.vmult(product, point.velocity);
         residual.velocity -= product;
         residual.frame_velocity = bodies.frame_residuals[b];
         return residual;

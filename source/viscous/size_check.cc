@@ -31,7 +31,7 @@ namespace caudal
                  "Give fewer, and more Domain/Levels where they are needed.");
     for (const auto &body : parameters.bodies)
     {
-      const double n = count(body->solid.grid.divisions.elements);
+      const double n = count(body->solid.grid.get_divisions(0., body->solid.get_path()).elements);
       check_memory(communicator, n * bytes_of_body_cell * n_ranks,
                    body->solid.get_path() + "/Shape/Elements: there are " + print_rounded(n),
                    "Give fewer.");

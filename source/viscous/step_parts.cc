@@ -41,12 +41,12 @@ namespace caudal
 
     /** Adds the balance of forces and the kinematics of a body without frame. */
     template <int dim>
-    void add_body(const SparseMatrix<double> &mass, const SparseMatrix<double> &response,
+    void add_body(const SparseMatrix<double> &coupling_mass, const SparseMatrix<double> &response,
                   const double scale, BodyEquations<dim> &equations)
     {
       const Places &velocity = equations.velocity, &force_density = equations.force_density;
       const Places &balance = velocity, &kinematic = force_density; // rows
-      for (const auto &entry : mass)
+      for (const auto &entry : coupling_mass)
       {
         equations.matrix.add(kinematic[entry.row()], velocity[entry.column()],
                              scale * entry.value());
@@ -111,14 +111,14 @@ namespace caudal
       result.forces.push_back(body.compute_forces(
           {positions, velocity, point.time, point.step, contraction}, &response));
 
-      const SparseMatrix<double>       &mass  = solid.get_mass_matrix();
       const double                      scale = point.weights.inertia;
       const std::vector<Vector<double>> modes =
           body.has_gait() ? make_rigid_velocities(solid, positions) : std::vector<Vector<double>>();
       result.equations.emplace_back(result.interactions[b], solid.n_dofs(), modes.size());
-      add_body(mass, combine_response(solid, std::move(response), point.rate), scale,
-               result.equations[b]);
-      add_frame(mass, modes, body.get_gait_damping(), scale, result.equations[b]);
+      add_body(solid.get_coupling_mass(), combine_response(solid, std::move(response), point.rate),
+               scale, result.equations[b]);
+      add_frame(solid.get_mass_matrix(), modes, body.get_gait_damping(), scale,
+                result.equations[b]);
       result.frame_residuals.emplace_back(modes.size());
       for (unsigned int k = 0; k < modes.size(); ++k)
         result.frame_residuals[b][k] =
@@ -184,7 +184,7 @@ namespace caudal
                               const FieldVector &velocity)
   {
     Vector<double> result = interaction.interpolate(velocity);
-    body.get_solid().apply_inverse_mass(result);
+    body.get_solid().apply_inverse_coupling_mass(result);
     return result;
   }
 
@@ -205,7 +205,7 @@ namespace caudal
     {
       Vector<double> mean_density(before.force_density);
       mean_density.sadd(0.5, 0.5, after.force_density);
-      solid.get_mass_matrix().vmult(driving_force, mean_density);
+      solid.get_coupling_mass().vmult(driving_force, mean_density);
       driving_force -= forces.at(LoadAccount::elastic);
       driving_force -= feedback_force;
       // The force density has the inertia of the excess mass in it, with the opposite sign.
@@ -234,7 +234,7 @@ namespace caudal
                                   const BodyState &body, const FieldVector &velocity)
     {
       Vector<double> weighted(solid.n_dofs());
-      solid.get_mass_matrix().vmult(weighted, body.velocity);
+      solid.get_coupling_mass().vmult(weighted, body.velocity);
       FieldVector force = operators.space.make_velocity_vector();
       interaction.spread(body.force_density, force);
       double size = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The interaction operator across hanging nodes and beside a boundary: the
 // adjointness of interpolation and spreading, the power identity, and the exact
-// interpolation of linear fields. The numbers must not depend on the ranks.
+// interpolation of linear fields, with and without a weight of the body's surface. The numbers
+// must not depend on the ranks.
 
 #include <caudal/base/compatibility.h>
 #include <caudal/coupling/interaction_operator.h>
@@ -9,6 +10,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -68,6 +70,29 @@ namespace
       pattern.copy_from(dynamic);
       mass.reinit(pattern);
       MatrixCreator::create_mass_matrix(dof_handler, QGauss<dim>(2), mass);
+    }
+
+    /** Adds @p surface_weight times the integral over the surface times the height of the cells. */
+    void add_surface(const double surface_weight)
+    {
+      const double      height = 0.3 / 4;
+      FEFaceValues<dim> values(element, QGauss<dim - 1>(2), update_values | update_JxW_values);
+      std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        for (const unsigned int face : cell->face_indices())
+          if (cell->at_boundary(face))
+          {
+            values.reinit(cell, face);
+            cell->get_dof_indices(dofs);
+            for (const unsigned int q : values.quadrature_point_indices())
+              for (const unsigned int i : values.dof_indices())
+                for (const unsigned int j : values.dof_indices())
+                  if (element.system_to_component_index(i).first ==
+                      element.system_to_component_index(j).first)
+                    mass.add(dofs[i], dofs[j],
+                             surface_weight * height * values.JxW(q) * values.shape_value(i, q) *
+                                 values.shape_value(j, q));
+          }
     }
 
     std::vector<BoundingBox<dim>> get_boxes() const
@@ -151,13 +176,14 @@ namespace
   };
 
   template <int dim>
-  void test(const std::string &kernel, const double corner)
+  void test(const std::string &kernel, const double corner, const double surface_weight)
   {
     const bool         is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     CouplingParameters parameters;
     parameters.kernel.set_name(kernel);
-    const Coupling     coupling(parameters);
-    const Body<dim>    body(corner);
+    const Coupling coupling(parameters);
+    Body<dim>      body(corner);
+    body.add_surface(surface_weight);
     Fluid<dim>         fluid(body, coupling.get_support());
     const unsigned int n = body.dof_handler.n_dofs();
 
@@ -165,12 +191,13 @@ namespace
       return InteractionOperator<dim>(coupling,
                                       {*fluid.finest_cells, fluid.dof_handler, fluid.constraints,
                                        fluid.velocity.get_partitioner()},
-                                      body.dof_handler, positions, "test");
+                                      body.dof_handler, positions, surface_weight, "test");
     };
     const InteractionOperator<dim> interaction = compute_interaction(body.positions);
     if (is_root)
       std::cout << std::fixed << std::setprecision(6) << dim << "D, " << kernel << ", corner at "
-                << corner << ": " << fluid.triangulation.n_global_active_cells() << " cells, "
+                << corner << ", surface weight " << surface_weight << ": "
+                << fluid.triangulation.n_global_active_cells() << " cells, "
                 << interaction.n_points() << " points\n";
 
     // Phi.(G u) and (G^T Phi).u for random vectors, which are not the same on
@@ -204,7 +231,7 @@ namespace
         std::cout << "  power " << of_fluid << '\n';
     }
 
-    // M_s^-1 G reproduces linear fields; so G's rows sum to int N_a.
+    // C^-1 G reproduces linear fields, C the mass with the surface's share.
     Vector<double>         interpolated = interaction.interpolate(fluid.velocity);
     Vector<double>         nodal(n), expected(n);
     const LinearField<dim> field;
@@ -228,8 +255,8 @@ namespace
       std::cout << "  relative error of an interpolated linear field "
                 << in_units(1e-12, interpolated.linfty_norm() / expected.linfty_norm()) << '\n';
 
-    // The total of a force of (1, 0, 0) per volume is the body's volume, if no
-    // part of it acts on the boundary.
+    // The total of a force of (1, 0, 0) per volume is the body's volume, with 2 dim surface layers
+    // of a quarter of it, if no part of it acts on the boundary.
     force_density = 0;
     for (const auto &cell : body.dof_handler.active_cell_iterators())
     {
@@ -242,7 +269,8 @@ namespace
     interaction.spread(force_density, force);
     const double total = force.mean_value() * force.size();
     if (is_root)
-      std::cout << "  total force / volume " << total / std::pow(0.3, dim) << '\n';
+      std::cout << "  total force / volume "
+                << total / ((1 + dim * surface_weight / 2) * std::pow(0.3, dim)) << '\n';
 
     // A body that leaves the fine cells.
     Vector<double> moved(body.positions);
@@ -264,9 +292,9 @@ int main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const char *kernel : {"dirac", "four-point", "composite B-spline 32"})
   {
-    test<2>(kernel, 0.4);
-    test<2>(kernel, 0.09);
+    test<2>(kernel, 0.4, 0.);
+    test<2>(kernel, 0.09, 0.35);
   }
-  test<3>("four-point", 0.4);
-  test<3>("dirac", 0.09);
+  test<3>("four-point", 0.4, 0.);
+  test<3>("dirac", 0.09, 0.35);
 }

@@ -20,7 +20,7 @@ void make(const std::string &what, const Entries &entries)
   Triangulation<2>      grid;
   set_entries(parameters, "Shape", entries);
   const std::string error =
-      catch_error([&]() { make_body_grid(grid, parameters, {"body"}, "Body x"); });
+      catch_error([&]() { make_body_grid(grid, parameters, 0.05, {"body"}, "Body x"); });
   std::cout << what << ": ";
   if (!error.empty())
     std::cout << error << '\n';

@@ -37,9 +37,9 @@ void report(const std::string &name, const Entries &entries, const double volume
   const ShapeFromEntries<dim> parameters(entries);
   const unsigned int          n_regions = parameters.shape.type.get().get_region_entry() != ""
                                               ? 2
-                                              : parameters.divisions.region_boundaries.size() + 1;
+                                              : parameters.region_boundaries.size() + 1;
   Triangulation<dim>          tria;
-  make_body_grid(tria, parameters, std::vector<std::string>(n_regions, "x"), "Body x");
+  make_body_grid(tria, parameters, 0.05, std::vector<std::string>(n_regions, "x"), "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
 
@@ -136,7 +136,7 @@ void print_error(const std::string &type, Entries entries, const unsigned int n_
   entries["Type"] = type;
   Triangulation<dim> tria;
   print_error([&]() {
-    make_body_grid(tria, ShapeFromEntries<dim>(entries), std::vector<std::string>(n_regions, "x"),
+    make_body_grid(tria, ShapeFromEntries<dim>(entries), 0.05, std::vector<std::string>(n_regions, "x"),
                    "Body x");
   });
 }

@@ -86,8 +86,8 @@ namespace
       parameters.grid.shape.type.set_name("beam");
       parameters.grid.shape.lengths.thickness     = 0.3;
       parameters.grid.shape.lengths.width         = 0.4;
-      parameters.grid.divisions.elements          = std::vector<unsigned int>(dim, 2);
-      parameters.grid.divisions.region_boundaries = {0.5};
+      parameters.grid.elements          = dim == 2 ? "2, 2" : "2, 2, 2";
+      parameters.grid.region_boundaries = {0.5};
       parameters.grid.rotation                    = 30;
       parameters.polynomial_degree                = 2;
       MaterialParameters<dim> &front              = parameters.region_parameters[0]->material;
@@ -95,7 +95,7 @@ namespace
       MaterialParameters<dim> &back               = parameters.region_parameters[1]->material;
       back.material.set_name("St. Venant-Kirchhoff");
       back.moduli.shear_modulus = 2;
-      body                      = std::make_unique<SolidBody<dim>>(parameters, 1.);
+      body                      = std::make_unique<SolidBody<dim>>(parameters, Surroundings{1., 0.1});
       elastic_load              = make_elastic_load(*body);
     }
 
@@ -212,7 +212,7 @@ namespace
   {
     Setup<dim> setup;
     setup.parameters.traction = dim == 2 ? "if(x>0.999, 5*t, 0); 0" : "if(x>0.999, 5*t, 0); 0; 0";
-    const SolidBody<dim> body(setup.parameters, 1.);
+    const SolidBody<dim> body(setup.parameters, Surroundings{1., 0.1});
     const Vector<double> force =
         compute_force(*make_surface_load(body), body.get_initial_positions());
     const double area              = dim == 2 ? 0.3 : 0.3 * 0.4;
@@ -233,7 +233,7 @@ namespace
       region->material.material.set_name("none");
       region->material.volumetric_stabilisation = 0;
     }
-    const SolidBody<dim> body(setup.parameters, 1.);
+    const SolidBody<dim> body(setup.parameters, Surroundings{1., 0.1});
     const auto           load    = make_elastic_load(body);
     const auto           stretch = [&](const double factor) {
       return setup.map([&](const Tensor<1, dim> &old) {

@@ -48,8 +48,10 @@ namespace caudal
    * with the body's quadrature points s_r and exact integrals over the fluid (see
    * integrate_line_weights()). With the kernel `dirac` the integral is phi_i(X(s_r)), the
    * variational limit (Boffi et al. 2008, doi:10.1016/j.cma.2007.09.015).
-   * Interpolation, M_s U = G u, and spreading, f = G^T Phi, are adjoint to
-   * each other, so that Phi.(M_s U) = f.u: no power is lost between the two
+   * Points on the body's surface with a share of the weight of its first layer of elements make
+   * the force reach the surface: without them the wall acts too far inside of the body.
+   * Interpolation, C U = G u with SolidBody::get_coupling_mass(), and spreading, f = G^T Phi, are
+   * adjoint to each other, so that Phi.(C U) = f.u: no power is lost between the two
    * descriptions (Peskin 2002, doi:10.1017/S0962492902000077).
    * The body is replicated on all ranks; each holds the part of G that its
    * own cells contribute.
@@ -68,13 +70,13 @@ namespace caudal
     };
 
     /**
-     * Computes G for the body's nodal positions @p positions. Throws if part of
-     * the kernel's support lies outside the finest level; @p name is the
-     * body's, for the message. Collective.
+     * Computes G for the body's nodal positions @p positions and the weight @p surface_weight of
+     * its surface beside the first layer of elements. Throws if part of the kernel's support lies
+     * outside the finest level; @p name is the body's, for the message. Collective.
      */
     InteractionOperator(const Coupling &coupling, const Fluid &fluid,
                         const DoFHandler<dim> &body_dofs, const Vector<double> &positions,
-                        const std::string &name);
+                        double surface_weight, const std::string &name);
 
     /** Quadrature points of the body. */
     unsigned int n_points() const
@@ -83,7 +85,7 @@ namespace caudal
     }
 
     /**
-     * G u (without the division by the body's mass matrix), u having
+     * G u (without the division by the body's coupling mass), u having
      * up-to-date ghost values; @p homogeneous: as if all boundary values were zero; collective.
      */
     Vector<double> interpolate(const FieldVector &velocity, bool homogeneous = false) const;

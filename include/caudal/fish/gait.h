@@ -113,21 +113,33 @@ namespace caudal
     virtual SpineAngles compute_angles(const std::vector<double> &s, const std::vector<double> &c,
                                        const std::vector<double> &rates = {}) const;
 
-    /** The spine's curvature at the places @p s, by a difference [1/m]. */
-    std::vector<double> compute_curvature(const std::vector<double> &s,
-                                          const std::vector<double> &c) const;
-
-  protected:
-    /** theta and its derivative by the argument. */
-    struct Inclination
+    /** A quantity of the spine and its derivative by the argument. */
+    struct Motion
     {
       double value = 0.;
       double rate  = 0.;
     };
 
-    /** The inclinations at the places @p s [m]. */
-    virtual std::vector<Inclination> compute_inclinations(const std::vector<double> &s,
-                                                          double argument) const;
+    /**
+     * Whether sections are shifted sideways, each at its fixed x, instead of turning with a spine
+     * that keeps its length: then the gait is y(x) of compute_shifts() alone.
+     */
+    virtual bool shifts_sections() const
+    {
+      return false;
+    }
+
+    /** The lateral displacements y at the places @p x [m], if shifts_sections(). */
+    virtual std::vector<Motion> compute_shifts(const std::vector<double> &x, double argument) const;
+
+    /** The spine's curvature at the places @p s, by a difference [1/m]. */
+    std::vector<double> compute_curvature(const std::vector<double> &s,
+                                          const std::vector<double> &c) const;
+
+  protected:
+    /** The inclinations theta at the places @p s [m]. */
+    virtual std::vector<Motion> compute_inclinations(const std::vector<double> &s,
+                                                     double                     argument) const;
 
     /** Whether it would be a function of the phase without a start-up. */
     virtual bool has_period() const

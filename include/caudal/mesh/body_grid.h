@@ -23,11 +23,10 @@ namespace caudal
   struct BodyGridParameters
   {
     ShapeParameters<dim> shape;
-    GridDivisions        divisions;
+    std::string          elements = "automatic";
+    std::vector<double>  region_boundaries;
     Point<dim>           position;
     double               rotation = 0.;
-
-    BodyGridParameters();
 
     void add_parameters(ParameterHandler &prm);
 
@@ -36,6 +35,14 @@ namespace caudal
 
     /** Throws a sentence on values that can't work; @p path is "Body fish", for example. */
     void check(const std::string &path) const;
+
+    /** Whether the elements follow from the fluid's spacing. */
+    bool has_automatic_elements() const
+    {
+      return elements == "automatic";
+    }
+    /** The divisions, with elements as large as @p spacing [m] where they are automatic. */
+    GridDivisions get_divisions(double spacing, const std::string &path) const;
   };
 
   /**
@@ -43,11 +50,13 @@ namespace caudal
    * level; the material id is the number of the region in @p regions, all boundary ids are 0.
    *
    * Cells belong to the region their centre lies in. For naca, eel, beam, rectangle
-   * and quadrilateral each region boundary is a grid line.
+   * and quadrilateral each region boundary is a grid line. Automatic elements become about as
+   * large as @p spacing [m].
    */
   template <int dim>
   void make_body_grid(Triangulation<dim> &tria, const BodyGridParameters<dim> &parameters,
-                      const std::vector<std::string> &regions, const std::string &path);
+                      double spacing, const std::vector<std::string> &regions,
+                      const std::string &path);
 
   /** X = position + R(rotation) s: where the point s of the body's own frame is at the start. */
   template <int dim>
@@ -56,12 +65,15 @@ namespace caudal
 
   /**
    * How thick a body is at a face of its boundary: the distance from the face's centre, along the
-   * inward normal, to the opposite side, which looks the other way.
+   * inward normal, to the opposite side, which looks the other way; and how high the element
+   * there is, its volume over the face's area.
    */
   template <int dim>
   struct FaceThickness
   {
     double         thickness; // [m]
+    double         height;    // [m]
+    Point<dim>     centre;    // in the body's own frame
     Tensor<1, dim> direction; // the normal, in the body's own frame
     double         area;      // of the face [m^(dim-1)]
     unsigned int   region;
@@ -78,6 +90,11 @@ namespace caudal
 
   template <int dim>
   BodyExtent<dim> compute_extent(const Triangulation<dim> &tria);
+
+  /** For each of the @p points of a body the ends of the line along y through it, in the body. */
+  template <int dim>
+  std::vector<std::pair<double, double>>
+  compute_lateral_ends(const Triangulation<dim> &tria, const std::vector<Point<dim>> &points);
 
   /**
    * The smallest scaled Jacobian of the grid, over all corners of all cells:

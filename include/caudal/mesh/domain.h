@@ -38,6 +38,12 @@ namespace caudal
       return edges;
     }
 
+    /** The mean edge of the cells of the finest level [m]. */
+    double get_finest_cell() const
+    {
+      return get_cell_size(get_finest_level()).norm() / std::sqrt(dim);
+    }
+
     double get_shortest_side() const
     {
       double shortest = size[0];

@@ -56,11 +56,25 @@ namespace caudal
   /** How a shape is divided into elements and regions: entries of section `Shape`, too. */
   struct GridDivisions
   {
-    std::vector<unsigned int> elements;          ///< along, across, in the third direction
+    std::vector<unsigned int> elements; ///< along, across, in the third direction; or none,
+    double                    spacing;  ///< and this is how large they should be [m]
     std::vector<double>       region_boundaries; ///< increasing fractions of the length
 
-    /** The lengths of the elements along the body, as fractions; regions end between elements. */
-    std::vector<double> compute_steps_along() const;
+    /** Whether the number of elements follows from their spacing. */
+    bool is_automatic() const
+    {
+      return elements.empty();
+    }
+    /** Elements across @p length: one where it is less than 1.6 of them, as it would be halves. */
+    unsigned int count_elements(double length) const;
+    /** The numbers of elements of a body with these sides: as given, or by the spacing. */
+    template <int dim>
+    std::vector<unsigned int> get_elements(const Tensor<1, dim> &sides) const;
+    /**
+     * The lengths of @p n_along elements along the body, as fractions; regions end between
+     * elements.
+     */
+    std::vector<double> compute_steps_along(unsigned int n_along) const;
   };
 
   /**
@@ -174,6 +188,11 @@ namespace caudal
    */
   std::vector<double> compute_columns(double first, const std::vector<double> &region_boundaries,
                                       unsigned int n_columns);
+
+  /** Scales the grid about the origin so that it has this volume: a polygon is less than its
+   * circle. */
+  template <int dim>
+  void scale_to_volume(Triangulation<dim> &tria, double volume);
 
   /** Splits each cell of the curved @p coarse into @p n straight-sided ones in each direction. */
   template <int dim>

@@ -36,7 +36,7 @@ namespace caudal
   {
   public:
     /** @p fluid_density is the density rho that the body shares with the fluid. */
-    Body(const BodyParameters<dim> &parameters, double fluid_density);
+    Body(const BodyParameters<dim> &parameters, const Surroundings &fluid);
 
     /** Grid, materials and matrices. */
     const SolidBody<dim> &get_solid() const
@@ -134,11 +134,10 @@ namespace caudal
     {
       return solid.compute_mean(state.velocity);
     }
-    /** int_B f, the resultant of all its forces on the fluid [N, in 2D N/m]. */
-    Tensor<1, dim> get_resultant(const BodyState &state) const
-    {
-      return solid.get_reference_volume() * solid.compute_mean(state.force_density);
-    }
+    /** C Phi: its forces on the fluid, by node [N, in 2D N/m]. */
+    Vector<double> compute_forces_on_fluid(const BodyState &state) const;
+    /** The resultant of these forces [N, in 2D N/m]. */
+    Tensor<1, dim> get_resultant(const BodyState &state) const;
     /** The direction in which the fish looks, from tail to nose. */
     Tensor<1, dim> get_forward_direction(const BodyState &state) const;
     /** Activation of the muscle in the middle of the last step, 1 at full strength [1]. */

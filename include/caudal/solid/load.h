@@ -97,6 +97,10 @@ namespace caudal
   template <int dim>
   std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
                                             double damping);
+
+  /** The nodal positions of the shape that the @p gait starts with, where the body is at first. */
+  template <int dim>
+  Vector<double> compute_first_positions(const SolidBody<dim> &body, const Gait &gait);
 } // namespace caudal
 
 #endif

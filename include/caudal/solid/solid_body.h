@@ -42,6 +42,13 @@ namespace caudal
       field[node[d]] = value[d];
   }
 
+  /** What a body must know of the fluid that it is immersed in. */
+  struct Surroundings
+  {
+    double density = 0; // [kg/m^3]
+    double cell    = 0; // edge of the finest cells [m]; 0: there is no fluid
+  };
+
   /**
    * A hyperelastic solid in its reference configuration (its own frame): grid, materials, nodes
    * and the matrices that do not change. Nodal positions X(s,t) and velocities U(s,t) are vectors
@@ -51,8 +58,7 @@ namespace caudal
   class SolidBody
   {
   public:
-    /** @p fluid_density is the density rho that the body shares with the fluid. */
-    SolidBody(const SolidParameters<dim> &parameters, double fluid_density);
+    SolidBody(const SolidParameters<dim> &parameters, const Surroundings &fluid);
 
     const SolidParameters<dim> &get_parameters() const
     {
@@ -98,6 +104,16 @@ namespace caudal
     {
       return mass;
     }
+    /**
+     * C = M_s + beta int_dB h_s N_a N_b dS, h_s being the height of the first layer of elements:
+     * velocities and force densities go between body and fluid with it, C U = G u and f = G^T Phi
+     * where C Phi is the force on the body. The true force of a constraint sits on the surface; a
+     * force density alone spreads it over that layer.
+     */
+    const SparseMatrix<double> &get_coupling_mass() const
+    {
+      return coupling_mass;
+    }
     /** int kappa N_a N_b ds in the directions in which the feedback force acts. */
     const SparseMatrix<double> &get_feedback_stiffness() const
     {
@@ -117,7 +133,10 @@ namespace caudal
     {
       return excess_density;
     }
-    /** vector := M_s^-1 vector */
+    /** vector := C^-1 vector */
+    void apply_inverse_coupling_mass(Vector<double> &vector) const;
+
+    /** vector := M_s^-1 vector; it factorises M_s. */
     void apply_inverse_mass(Vector<double> &vector) const;
 
     using Node = caudal::Node<dim>;
@@ -193,8 +212,9 @@ namespace caudal
     DoFHandler<dim>                             dof_handler;
     std::vector<std::unique_ptr<Material<dim>>> materials;
     SparsityPattern                             pattern;
-    SparseMatrix<double>                        mass, feedback_stiffness, feedback_damping;
-    SparseDirectUMFPACK                         inverse_mass;
+    SparseMatrix<double>                        mass, coupling_mass;
+    SparseMatrix<double>                        feedback_stiffness, feedback_damping;
+    SparseDirectUMFPACK                         inverse_coupling_mass;
     double                                      excess_density, reference_volume = 0;
     std::vector<std::vector<QuadraturePoint>>   quadrature_points; // by cell
     std::vector<Node>                           nodes, head_nodes;
@@ -212,6 +232,7 @@ namespace caudal
     void set_up_nodes();
     void set_up_quadrature();
     void assemble_matrices();
+    void assemble_coupling_mass();
   };
 } // namespace caudal
 

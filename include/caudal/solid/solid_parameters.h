@@ -63,6 +63,7 @@ namespace caudal
     const std::vector<std::string> regions;
 
     unsigned int            polynomial_degree = 1;
+    std::string             surface_weight    = "automatic";
     double                  density           = 0;
     std::vector<Point<dim>> monitored_points;
     std::string             traction; // of SurfaceLoad
@@ -74,8 +75,18 @@ namespace caudal
     SolidParameters(const std::string &name, const std::vector<std::string> &regions);
 
     /** Declares the entries in the section of the body, which @p prm is in. */
-    void        add_parameters(ParameterHandler &prm);
-    void        check() const;
+    void add_parameters(ParameterHandler &prm);
+    void check() const;
+
+    /**
+     * The edge of automatic elements in a fluid with cells of this edge [m]: with smaller ones the
+     * body has more motions than the fluid and acts as if it were thicker.
+     */
+    double get_element_size(double fluid_cell) const;
+
+    /** beta, the weight of the surface in the coupling to the fluid: see get_coupling_mass(). */
+    double get_surface_weight() const;
+
     std::string get_path() const
     {
       return "Body " + name;

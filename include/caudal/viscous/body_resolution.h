@@ -17,10 +17,29 @@ namespace caudal
     Tensor<1, dim> direction; // in the domain
   };
 
+  /** A place as sentences say it: "0.2, 0.5". */
+  template <int dim>
+  std::string print_place(const Point<dim> &place);
+
+  /** The height of the body's element at a face of its surface, in the fluid's finest cells. */
+  template <int dim>
+  struct LayerHeight
+  {
+    double         n_cells;
+    Point<dim>     place;     // in the domain, at the start
+    Tensor<1, dim> direction; // in the domain
+  };
+
   /** How fine fluid and body are beside each other. */
   template <int dim>
   struct BodyResolution
   {
+    /** The first layer of elements where it is lowest and where it is highest. */
+    LayerHeight<dim> lowest, highest;
+    /** The heights in cells that it should have. */
+    double least_height = 0, most_height = 0;
+    /** The shares of the surface where it is lower or higher. */
+    double share_too_low = 0, share_too_high = 0;
     /** The mean distance of the body's nodes, in cells of the fluid's finest level. */
     double spacing_ratio = 0;
     /** The regions where they have the fewest cells; infinite for a region inside the body. */
@@ -30,16 +49,16 @@ namespace caudal
   };
 
   // What was measured with Turek and Hron's flag (prm/benchmarks/README.md): three cells of the
-  // fluid across it are enough, with two its lift is a fifth too large; body nodes much closer
-  // than the fluid's cells make a body thicker, much wider ones leak.
+  // fluid across it are enough, with two its lift is a fifth too large.
   constexpr double least_thickness = 3;
   // With a body of half a cell to a cell prm/eel.prm swims at a quarter of its speed.
   constexpr double thinnest_meaningful = 0.5;
-  constexpr double finest_ratio = 0.6, coarsest_ratio = 1.7;
-
-  /** The mean edge of the fluid's cells of the finest level [m]. */
-  template <int dim>
-  double get_finest_cell(const DomainParameters<dim> &domain);
+  // Lower first layers, in automatic elements, have more motions than the fluid and make the body
+  // thicker, higher ones leak: 0.8 and 2 cells for elements of degree 1.
+  constexpr double lowest_layer = 0.64, highest_layer = 1.6;
+  constexpr double finest_ratio = 0.6;
+  // Damping eta of what is held, over mu/h^2: with less of it the fluid moves through the body.
+  constexpr double least_damping = 1e4;
 
   template <int dim>
   BodyResolution<dim> measure_resolution(const Body<dim>             &body,

@@ -8,6 +8,9 @@
 
 namespace caudal
 {
+  // In FSI3 with steps of 5 ms, all whose figures are right.
+  constexpr double largest_cfl = 7;
+
   /** Costs of a few steps from the start. */
   struct TrialCost
   {
@@ -73,6 +76,7 @@ namespace caudal
     BodyOnGrid describe_body(const Body<dim> &body) const;
     void       measure_room(BodyOnGrid &body) const;
     void       add_thickness_warnings(std::vector<std::string> &warnings) const;
+    void       add_layer_warnings(const BodyOnGrid &body, std::vector<std::string> &warnings) const;
     void       add_domain_warnings(std::vector<std::string> &warnings) const;
     void       add_wake_warnings(std::vector<std::string> &warnings) const;
     void       add_flow_warnings(std::vector<std::string> &warnings) const;
