@@ -104,9 +104,10 @@ namespace caudal
   std::string get_model(const ParameterFile &file)
   {
     const std::string model = file.get("Model", "immersed");
-    AssertThrow(
-        model == "immersed" || model == "potential" || model == "elastic",
-        ExcMessage("Model: the value is <" + model + ">. Give immersed, potential or elastic."));
+    AssertThrow(model == "immersed" || model == "potential" || model == "passage" ||
+                    model == "elastic",
+                ExcMessage("Model: the value is <" + model +
+                           ">. Give immersed, potential, passage or elastic."));
     return model;
   }
 
