@@ -232,7 +232,8 @@ namespace
     if (command_line.action == Action::print_parameters)
       return model == "potential"
                  ? print_model_parameters(IdealParameters(nullptr), command_line.format)
-             : model == "passage" ? print_model_parameters(PassageParameters(nullptr), command_line.format)
+             : model == "passage"
+                 ? print_model_parameters(PassageParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);

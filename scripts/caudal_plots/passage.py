@@ -58,6 +58,11 @@ class Answers:
     def batch(self):
         return self.read_table("batch.csv")
 
+    def get_way(self, verdict, band):
+        """The columns of a fish's way, None if it does not even enter."""
+        way = self.ways.get((verdict["discharge"], band))
+        return way if way is not None and way["distance"][-1] > way["distance"][0] else None
+
     @property
     def hardest(self):
         """The verdict at the discharge that the fewest fish pass."""
@@ -68,13 +73,21 @@ def name_discharge(discharge):
     return f"{discharge:g} m³/s" if discharge > 0 else "the profile"
 
 
+def add_legend(panels):
+    """In the first of the panels that has something to name."""
+    for panel in panels:
+        if panel.get_legend_handles_labels()[0]:
+            panel.legend()
+            return
+
+
 def draw_fatigue(answers):
     """The fatigue of three bands at each discharge."""
     verdicts = answers.facts["verdicts"]
     figure, axes = style.make_figure(1, len(verdicts), 3.2, sharey=True)
     for panel, verdict in zip(axes[0], verdicts):
         for band, colour in zip(BANDS, style.LINES):
-            way = answers.ways.get((verdict["discharge"], band))
+            way = answers.get_way(verdict, band)
             if way is not None:
                 panel.plot(way["distance"], way["fatigue"], label=band, color=colour)
         panel.axhline(1, color="0.3", linewidth=0.8, linestyle="--")
@@ -82,7 +95,7 @@ def draw_fatigue(answers):
         panel.set_xlabel("distance [m]")
         panel.set_ylim(0, 2)
     axes[0, 0].set_ylabel("fatigue [1]; 1 is exhausted")
-    axes[0, 0].legend()
+    add_legend(axes[0])
     return figure
 
 
@@ -91,7 +104,7 @@ def draw_speeds(answers):
     verdicts = answers.facts["verdicts"]
     figure, axes = style.make_figure(1, len(verdicts), 3.2, sharey=True)
     for panel, verdict in zip(axes[0], verdicts):
-        way = answers.ways.get((verdict["discharge"], MEDIAN))
+        way = answers.get_way(verdict, MEDIAN)
         if way is not None:
             panel.plot(way["distance"], way["water velocity"], label="water")
             panel.plot(way["distance"], way["swimming speed"], label="median fish")
@@ -99,7 +112,7 @@ def draw_speeds(answers):
         panel.set_xlabel("distance [m]")
         panel.set_ylim(bottom=0)
     axes[0, 0].set_ylabel("speed [m/s]")
-    axes[0, 0].legend()
+    add_legend(axes[0])
     return figure
 
 
@@ -115,7 +128,7 @@ def draw_matrix(answers):
                                            edgecolor="white", linewidth=2))
         text = f"{100 * float(row['share that passes']):.0f} %"
         if row["cause"] != "none":
-            text += f"  {row['cause']} at {float(row['place']):g} m"
+            text += f"  {row['cause']} at {float(row['place']):.3g} m"
         axes.text(x + 0.5, y + 0.5, text + (" *" if row["remark"] else ""), ha="center",
                   va="center", fontsize=8)
     axes.set_xlim(0, len(discharges))

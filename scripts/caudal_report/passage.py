@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a run of the model `passage`, for a permit application: two printed pages."""
 
+import numpy as np
+
 from caudal_plots import style
 from caudal_plots.passage import BANDS, MEDIAN, Answers, draw_matrix, name_discharge
 
 from . import common, files, page
 from .chart import make_chart, make_curve
 
+MOST_FATIGUE = 2.  # that is drawn
 DISTANCE = "distance from the entrance [m]"
 WORDS = {"green": "enough fish pass", "amber": "the median fish passes, too many others do not",
          "red": "most fish do not pass"}
@@ -39,6 +42,10 @@ def make_answer(facts):
                            "red less.", left=(0, 1, 2))
 
 
+def format_if_any(value):
+    return page.format_number(value, 3) if value > 0 else "none"
+
+
 def make_band_table(facts):
     rows = []
     for verdict in facts["verdicts"]:
@@ -48,10 +55,9 @@ def make_band_table(facts):
             end = "passes" if band["passes"] else f"{band['cause']} at {band['place']:.3g} m"
             rows.append([name_discharge(verdict["discharge"]), band["name"], percent(band["better"]),
                          end, page.format_number(band["fatigue"], 3),
-                         percent(band["velocity factor"] - 1),
-                         page.format_number(band["largest velocity"], 3),
-                         page.format_number(band["smallest length"], 3)
-                         if band["smallest length"] > 0 else "none",
+                         percent(band["velocity factor"] - 1) if band["velocity factor"] > 0 else "–",
+                         format_if_any(band["largest velocity"]),
+                         format_if_any(band["smallest length"]),
                          page.format_number(band["time"], 3)]
                         + ([page.format_number(band["energy"], 3)] if facts["energy"] else []))
     header = ["discharge", "fish", "better fish", "verdict", "fatigue [1]", "margin of velocity",
@@ -80,15 +86,17 @@ def make_inputs(facts, entries):
 
 
 def make_charts(answers):
-    """Fatigue of the bands and speeds of the median fish where the fewest pass."""
-    discharge = answers.hardest["discharge"]
-    where = name_discharge(discharge)
+    """Fatigue of the bands and speeds of the median fish where the fewest pass of those that enter."""
+    verdicts = sorted(answers.facts["verdicts"], key=lambda verdict: verdict["share"])
+    verdict = next((v for v in verdicts if answers.get_way(v, MEDIAN) is not None), verdicts[0])
+    where = name_discharge(verdict["discharge"])
     fatigue, speeds = [], []
     for band, colour in zip(BANDS, style.LINES):
-        way = answers.ways.get((discharge, band))
+        way = answers.get_way(verdict, band)
         if way is not None:
-            fatigue.append(make_curve(band, way["distance"], way["fatigue"], colour))
-    way = answers.ways.get((discharge, MEDIAN))
+            shown = np.where(way["fatigue"] <= MOST_FATIGUE, way["fatigue"], np.nan)
+            fatigue.append(make_curve(band, way["distance"], shown, colour))
+    way = answers.get_way(verdict, MEDIAN)
     if way is not None:
         ends = [way["distance"].min(), way["distance"].max()]
         fatigue.append(make_curve("exhausted", ends, [1, 1], "#444444", dash="5 3"))
@@ -131,7 +139,9 @@ def describe(folder):
     report.add("Verdict", make_answer(facts) + page.join(
         page.make_element("p", mark, 'class="warning"') for mark in marks))
     report.add("Fish of the bands", make_band_table(facts))
-    report.add("Along the way", report.place_charts(make_charts(answers)))
+    charts = make_charts(answers)
+    report.add("Along the way", report.place_charts(charts) if charts else
+               page.make_note("No fish enters."))
     if (folder / "batch.csv").is_file():
         report.add("Other fish", common.draw_picture(
             report, lambda: draw_matrix(answers), "The fish of the batch at all discharges"))
@@ -141,8 +151,7 @@ def describe(folder):
     report.add("Method", make_list(METHOD) + page.make_note(
         "Castro-Santos 2005, J. Exp. Biol. 208, 421-432, doi:10.1242/jeb.01380; Katopodis and Gervais "
         "2016, DFO Can. Sci. Advis. Sec. Res. Doc. 2016/002."))
-    report.add("Limits of validity", make_list(facts["limits"]))
-    report.add("Program and parameters", page.make_details(
+    report.add("Limits of validity", make_list(facts["limits"]) + page.make_details(
         "Program, machine and all parameters",
         common.make_program(log) + common.make_parameters(entries, folder)))
     return report

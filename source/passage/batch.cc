@@ -19,11 +19,11 @@ namespace caudal::passage
     prm.leave_subsection();
   }
 
-  void BatchParameters::check(const EnduranceLaw &law, const std::string &path) const
+  void BatchParameters::check(const EnduranceLaw &law) const
   {
     if (is_asked_for())
       for (const BatchFish &fish : read())
-        law.check_species(fish.species, path);
+        law.check_species(fish.species, fish.place + "species");
   }
 
   std::vector<BatchFish> BatchParameters::read() const
@@ -43,7 +43,7 @@ namespace caudal::passage
     {
       AssertThrow(s < row.fields.size() && !row.fields[s].empty(),
                   ExcMessage(row.place + "the species is missing. Complete the row or remove it."));
-      fish.push_back({row.fields[s], length.read(row, l)});
+      fish.push_back({row.fields[s], length.read(row, l), row.place});
       check_fish_length(row.place + "length", fish.back().length);
     }
     AssertThrow(!fish.empty(), ExcMessage("Batch/File: " + file +

@@ -65,13 +65,14 @@ namespace caudal::passage
         lengths.check(path);
       }
 
-      void check_species(const std::string &name, const std::string &path) const override
+      void check_species(const std::string &name, const std::string &entry) const override
       {
         AssertThrow(lower(name) == lower(species),
-                    ExcMessage("Fish/Species: the value is <" + name +
-                               ">, and the coefficients in " + path + " are those of <" + species +
-                               ">. Give that species, or other coefficients and " + path +
-                               "/Species."));
+                    ExcMessage(entry + ": the value is <" + name +
+                               ">, and the coefficients of the law Castro-Santos are those of <" +
+                               species +
+                               ">. Give that species, or other coefficients and "
+                               "Endurance/Castro-Santos/Species."));
       }
 
       EnduranceCurve make_curve(const Fish &fish) const override

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/water_source.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -64,13 +64,13 @@ namespace caudal::passage
         {
           const auto waterway = compute_at_slope(slope, discharge);
           AssertThrow(waterway,
-                      ExcMessage(path + "/Discharges: " + print_rounded(discharge) +
+                      ExcMessage(path + "/Discharges: " + print_number(discharge) +
                                  " m^3/s are more than this section carries with a free surface, " +
-                                 print_rounded(compute_discharge(get_fullest(), slope)) +
+                                 print_number(compute_discharge(get_fullest(), slope)) +
                                  " m^3/s. Give a smaller discharge, or a profile that was computed "
                                  "elsewhere."));
           for (const WaterPoint &point : waterway->points)
-            check_water(path + ": at " + print_rounded(discharge) + " m^3/s: ", point);
+            check_water(path + ": at " + print_number(discharge) + " m^3/s: ", point);
           waterways.push_back(*waterway);
         }
         return waterways;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/passage/column.h>
 #include <caudal/passage/names.h>
 
@@ -72,6 +73,33 @@ namespace caudal::passage
         column < row.fields.size() && !row.fields[column].empty(),
         ExcMessage(row.place + "the " + quantity + " is missing. Complete the row or remove it."));
     return parse_number(row.fields[column], row.place + quantity + ": ") * get_factor();
+  }
+
+  std::vector<std::pair<double, double>> read_pairs(const std::string &path,
+                                                    const std::string &file, const Column &first,
+                                                    const Column &second)
+  {
+    const std::string entry = path + "/File";
+    AssertThrow(!file.empty(),
+                ExcMessage(entry + ": there is none. Give a table of " + first.get_quantity() +
+                           " and " + second.get_quantity() + "."));
+    TextTable table = read_text_table(entry, file);
+    remove_row_of_units(table);
+    const std::size_t x = first.require(table, path), y = second.require(table, path);
+    std::vector<std::pair<double, double>> pairs;
+    for (const TextTable::Row &row : table.rows)
+    {
+      pairs.emplace_back(first.read(row, x), second.read(row, y));
+      check_positive(row.place + first.get_quantity(), pairs.back().first);
+      check_positive(row.place + second.get_quantity(), pairs.back().second);
+    }
+    AssertThrow(!pairs.empty(), ExcMessage(entry + ": " + file + ": there is no row."));
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
+      check_value(pairs[k].first < pairs[k + 1].first,
+                  entry + ": " + file + ": " + first.get_quantity(), pairs[k + 1].first,
+                  "It is there twice. Give each once.");
+    return pairs;
   }
 
   void remove_row_of_units(TextTable &table)

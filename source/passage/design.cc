@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
 #include <caudal/passage/passage_parameters.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/threshold.h>
 
 #include <cmath>
@@ -12,6 +12,7 @@ namespace caudal::passage
   {
     const double steepest = 1., flattest = 1e-5;
     const double longest = 1e5, shortest = 1e-2; // [m]
+    const int    n_bits       = 24;              // of the logarithm of the range: to 1e-6
     const int    most_reaches = 1000;
 
     /** The largest x between two, both positive, at which enough fish pass. */
@@ -20,7 +21,7 @@ namespace caudal::passage
                                        const double high)
     {
       const auto x = find_threshold([&](const double y) { return is_passed(std::exp(-y)); },
-                                    -std::log(high), -std::log(low));
+                                    -std::log(high), -std::log(low), n_bits);
       return x ? std::optional<double>(std::exp(-*x)) : std::nullopt;
     }
 
@@ -119,13 +120,13 @@ namespace caudal::passage
       answer.value = find_reach(waterway, is_passed);
     else
       answer.value = find_spacing(waterway, is_passed);
-    const std::string share = print_rounded(100. * parameters.share) + " % of the fish";
+    const std::string share = print_number(100. * parameters.share) + " % of the fish";
     answer.sentence         = !answer.value
                                   ? "There is no " + parameters.target + " with which " + share + " pass."
                               : is_slope && *answer.value >= steepest
                                   ? share + " pass at any slope."
                                   : "The " + parameters.target + " with which " + share + " pass is " +
-                                print_rounded(*answer.value) + (is_slope ? "." : " m.");
+                                print_number(*answer.value) + (is_slope ? "." : " m.");
     return answer;
   }
 } // namespace caudal::passage

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
 #include <caudal/passage/endurance_law.h>
+#include <caudal/passage/print.h>
 
 #include <limits>
 
@@ -26,8 +26,7 @@ namespace caudal::passage
 
   std::string DurationRange::describe() const
   {
-    return "endurances of " + print_rounded(shortest) + " to " +
-           Patterns::Tools::to_string(longest) + " s";
+    return "endurances of " + print_number(shortest) + " to " + print_number(longest) + " s";
   }
 
   void LengthRange::add_parameters(ParameterHandler &prm)

@@ -3,7 +3,6 @@
 #include <caudal/passage/column.h>
 #include <caudal/passage/endurance_law.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace caudal::passage
@@ -36,8 +35,6 @@ namespace caudal::passage
 
       void check(const std::string &path) const override
       {
-        AssertThrow(!file.empty(), ExcMessage(path + "/File: there is none. Give a table of "
-                                                     "speeds and endurances."));
         check_not_negative(path + "/Spread", spread);
         lengths.check(path);
         read(path);
@@ -76,29 +73,17 @@ namespace caudal::passage
       /** The rows from slow to fast. */
       std::vector<Effort> read(const std::string &path) const
       {
-        TextTable table = read_text_table(path + "/File", file);
-        remove_row_of_units(table);
-        const std::size_t   u = speed.require(table, path), t = endurance.require(table, path);
         std::vector<Effort> efforts;
-        for (const TextTable::Row &row : table.rows)
-        {
-          const double factor = in_lengths ? 1. / speed.get_factor() : 1.;
-          efforts.push_back({factor * speed.read(row, u), endurance.read(row, t)});
-          check_positive(row.place + "speed", efforts.back().speed);
-          check_positive(row.place + "endurance", efforts.back().endurance);
-        }
+        for (const auto &[u, t] : read_pairs(path, file, speed, endurance))
+          efforts.push_back({in_lengths ? u / speed.get_factor() : u, t});
         AssertThrow(efforts.size() >= 2,
                     ExcMessage(path + "/File: " + file + ": there are " +
                                std::to_string(efforts.size()) + " rows. Give two or more."));
-        std::sort(efforts.begin(), efforts.end(),
-                  [](const Effort &a, const Effort &b) { return a.speed < b.speed; });
         for (std::size_t k = 0; k + 1 < efforts.size(); ++k)
-          check_value(efforts[k + 1].speed > efforts[k].speed &&
-                          efforts[k + 1].endurance < efforts[k].endurance,
+          check_value(efforts[k + 1].endurance < efforts[k].endurance,
                       path + "/File: " + file + ": endurance at " +
                           Patterns::Tools::to_string(efforts[k + 1].speed),
-                      efforts[k + 1].endurance,
-                      "Give shorter endurances to higher speeds, and each speed once.");
+                      efforts[k + 1].endurance, "Give shorter endurances to higher speeds.");
         return efforts;
       }
 

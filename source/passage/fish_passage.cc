@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
 #include <caudal/base/safe_file.h>
+#include <caudal/passage/answer_output.h>
 #include <caudal/passage/fish_passage.h>
-
-#include <deal.II/base/timer.h>
 
 namespace caudal
 {
@@ -23,7 +22,6 @@ namespace caudal
   Outcome FishPassage::run(const OutputFolder &folder, Log &log,
                            const std::function<bool()> & /*stop_requested*/)
   {
-    Timer timer;
     run_on_root(communicator, [&]() {
       const std::string text = print_text(parameters, answers);
       replace_file(folder.add("verdict.txt"), text);

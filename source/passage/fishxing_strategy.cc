@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/strategy.h>
 
 namespace caudal::passage
@@ -56,8 +56,8 @@ namespace caudal::passage
 
       std::string describe() const override
       {
-        return "that of FishXing: the prolonged speed of " + print_rounded(prolonged_time) +
-               " s, the burst speed of " + print_rounded(burst_time) +
+        return "that of FishXing: the prolonged speed of " + print_number(prolonged_time) +
+               " s, the burst speed of " + print_number(burst_time) +
                " s where it is not enough, times counted apart (Furniss et al. 2006, FishXing 3)";
       }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/strategy.h>
 
 #include <boost/math/tools/minima.hpp>
@@ -38,7 +38,7 @@ namespace caudal::passage
       std::string describe() const override
       {
         return given_speed > 0.
-                   ? "a constant speed over ground of " + print_rounded(given_speed) + " m/s"
+                   ? "a constant speed over ground of " + print_number(given_speed) + " m/s"
                    : std::string("the constant speed over ground that tires least");
       }
 
@@ -67,7 +67,7 @@ namespace caudal::passage
           // A speed that is too much for some place is worse than all that are not.
           return is_tired ? std::log(ascent.fatigue) : 1e3 + log_speed;
         };
-        const int    n     = 32;
+        const int    n     = 24;
         const double first = std::log(1e-3 * curve.get_fastest());
         const double step  = (std::log(2. * curve.get_fastest()) - first) / n;
         int          best  = 0;
@@ -79,7 +79,7 @@ namespace caudal::passage
             best  = k;
           }
         const auto minimum = boost::math::tools::brent_find_minima(
-            compute_fatigue, first + (best - 1) * step, first + (best + 1) * step, 40);
+            compute_fatigue, first + (best - 1) * step, first + (best + 1) * step, 20);
         return std::exp(minimum.first);
       }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
 #include <caudal/passage/endurance_law.h>
 #include <caudal/passage/names.h>
+#include <caudal/passage/print.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,9 +110,9 @@ namespace caudal::passage
         own.lengths.check(path);
       }
 
-      void check_species(const std::string &name, const std::string & /*path*/) const override
+      void check_species(const std::string &name, const std::string &entry) const override
       {
-        find(name);
+        find(name, entry);
       }
 
       EnduranceCurve make_curve(const Fish &fish) const override
@@ -138,14 +138,15 @@ namespace caudal::passage
           text += ", burst: " + data.burst.describe();
         if (data.prolonged.exists())
           text += ", prolonged: " + data.prolonged.describe();
-        return text + "; ln U with a standard deviation of " + print_rounded(spread) + "; " +
+        return text + "; ln U with a standard deviation of " + print_number(spread) + "; " +
                durations.describe() +
                " (Hunter and Mayor 1986, Analysis of fish swimming performance data; species of "
                "FishXing 3, Furniss et al. 2006)";
       }
 
     private:
-      const SpeciesData &find(const std::string &name) const
+      const SpeciesData &find(const std::string &name,
+                              const std::string &entry = "Fish/Species") const
       {
         if (!own.name.empty() && lower(own.name) == lower(name))
           return own;
@@ -159,7 +160,7 @@ namespace caudal::passage
         if (!own.name.empty())
           names.push_back(own.name);
         AssertThrow(
-            false, ExcMessage("Fish/Species: the law Hunter-Mayor does not know <" + name +
+            false, ExcMessage(entry + ": the law Hunter-Mayor does not know <" + name +
                               ">. The nearest name is <" + find_nearest_name(name, names) +
                               ">; it knows: " + list_names(names) +
                               ". Of others give coefficients and Endurance/Hunter-Mayor/Species."));

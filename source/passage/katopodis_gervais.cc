@@ -26,9 +26,9 @@ namespace caudal::passage
         lengths.check(path);
       }
 
-      void check_species(const std::string &species, const std::string & /*path*/) const override
+      void check_species(const std::string &species, const std::string &entry) const override
       {
-        find_swim_group(species, "Fish/Species");
+        find_swim_group(species, entry);
       }
 
       EnduranceCurve make_curve(const Fish &fish) const override

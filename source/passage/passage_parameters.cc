@@ -127,7 +127,7 @@ namespace caudal
   {
     law.check("Endurance");
     population.check();
-    law.get().check_species(population.species, law.get_path("Endurance"));
+    law.get().check_species(population.species, "Fish/Species");
     way.check();
     for (const Waterway &waterway : way.make_waterways())
       AssertThrow(population.needs.depth == 0. || waterway.has_depths,
@@ -136,7 +136,7 @@ namespace caudal
     strategy.check("Strategy");
     power.check("Energy");
     design.check(way.source.get());
-    batch.check(law.get(), law.get_path("Endurance"));
+    batch.check(law.get());
     turbine.check();
     output.check();
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
 #include <caudal/ideal/exterior_flow.h>
 #include <caudal/mesh/shape.h>
 #include <caudal/passage/power_curve.h>
+#include <caudal/passage/print.h>
 
 #include <cmath>
 #include <memory>
@@ -88,11 +88,11 @@ namespace caudal::passage
       std::string describe() const override
       {
         const BodyFigures &body = get_figures();
-        return "muscle power against the drag of the fish's shape (" + print_rounded(drag_factor) +
-               " times a turbulent flat plate of its skin, " + print_rounded(body.area) +
-               " l^2, efficiency " + print_rounded(efficiency) +
-               ") and for the acceleration of its mass (" + print_rounded(body.volume) +
-               " rho l^3) and added mass (" + print_rounded(body.added_mass) +
+        return "muscle power against the drag of the fish's shape (" + print_number(drag_factor) +
+               " times a turbulent flat plate of its skin, " + print_number(body.area) +
+               " l^2, efficiency " + print_number(efficiency) +
+               ") and for the acceleration of its mass (" + print_number(body.volume) +
+               " rho l^3) and added mass (" + print_number(body.added_mass) +
                " of that, by boundary elements): an estimate, not a measurement";
       }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/print.h>
 #include <caudal/fish/number_table.h>
 #include <caudal/passage/power_curve.h>
+#include <caudal/passage/print.h>
 
 #include <boost/property_tree/json_parser.hpp>
 
@@ -48,9 +48,9 @@ namespace caudal::passage
       {
         const Data  data = read("Energy/Run");
         std::string text = data.meaning + " of the run in " + folder + ", a fish of " +
-                           print_rounded(data.length) + " m at ";
+                           print_number(data.length) + " m at ";
         for (const PowerPoint &point : data.points)
-          text += (&point == &data.points[0] ? "" : ", ") + print_rounded(point.speed);
+          text += (&point == &data.points[0] ? "" : ", ") + print_number(point.speed);
         return text + " m/s; beyond in proportion to U^3, and not scaled to other lengths";
       }
 
@@ -79,8 +79,8 @@ namespace caudal::passage
         for (const PowerPoint &point : data.points)
           AssertThrow(point.speed > 0. && point.power > 0.,
                       ExcMessage(entry + ": in the run in <" + folder + "> the speed is " +
-                                 print_rounded(point.speed) + " m/s and the power " +
-                                 print_rounded(point.power) +
+                                 print_number(point.speed) + " m/s and the power " +
+                                 print_number(point.power) +
                                  " W. Give a run whose fish swims, and with power."));
         return data;
       }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/base/checks.h>
 #include <caudal/passage/column.h>
 #include <caudal/passage/power_curve.h>
-
-#include <algorithm>
 
 namespace caudal::passage
 {
@@ -26,8 +23,6 @@ namespace caudal::passage
 
       void check(const std::string &path) const override
       {
-        AssertThrow(!file.empty(),
-                    ExcMessage(path + "/File: there is none. Give a table of speeds and powers."));
         AssertThrow(!meaning.empty(), ExcMessage(path + "/Meaning: it is empty. Say in some words "
                                                         "what this power is."));
         read(path);
@@ -46,22 +41,9 @@ namespace caudal::passage
     private:
       std::vector<PowerPoint> read(const std::string &path) const
       {
-        TextTable table = read_text_table(path + "/File", file);
-        remove_row_of_units(table);
-        const std::size_t       u = speed.require(table, path), p = power.require(table, path);
         std::vector<PowerPoint> points;
-        for (const TextTable::Row &row : table.rows)
-        {
-          points.push_back({speed.read(row, u), power.read(row, p)});
-          check_positive(row.place + "speed", points.back().speed);
-          check_positive(row.place + "power", points.back().power);
-        }
-        AssertThrow(!points.empty(), ExcMessage(path + "/File: " + file + ": there is no row."));
-        std::sort(points.begin(), points.end(),
-                  [](const PowerPoint &a, const PowerPoint &b) { return a.speed < b.speed; });
-        for (std::size_t k = 0; k + 1 < points.size(); ++k)
-          check_value(points[k].speed < points[k + 1].speed, path + "/File: " + file + ": speed",
-                      points[k + 1].speed, "It is there twice. Give each speed once.");
+        for (const auto &[u, p] : read_pairs(path, file, speed, power))
+          points.push_back({u, p});
         return points;
       }
 

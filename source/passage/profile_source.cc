@@ -33,7 +33,7 @@ namespace caudal::passage
         depth.add_parameters(prm);
         discharge.add_parameters(prm);
         prm.add_parameter("Rows", rows,
-                          "In which order the rows of a file stand: 'upstream', as the fish "
+                          "In which order the rows stand: 'upstream', as the fish "
                           "swims, with distances that grow; 'downstream', as the water flows.",
                           Patterns::Selection("upstream|downstream"));
       }
@@ -48,12 +48,30 @@ namespace caudal::passage
 
       std::vector<Waterway> make_waterways(const std::string &path) const override
       {
-        std::vector<Waterway> waterways = file.empty() ? parse(path) : read(path);
-        for (const Waterway &waterway : waterways)
-          AssertThrow(waterway.points.size() > 1 && waterway.get_length() > 0.,
+        std::vector<Row> all = file.empty() ? parse(path) : read(path);
+        if (rows == "downstream")
+          std::reverse(all.begin(), all.end());
+        std::map<double, Waterway> by_discharge;
+        for (const Row &row : all)
+        {
+          Waterway &waterway  = by_discharge[row.discharge];
+          waterway.discharge  = row.discharge;
+          waterway.has_depths = row.has_depth;
+          add(waterway.points, row);
+        }
+        std::vector<Waterway> waterways;
+        for (auto &named : by_discharge)
+        {
+          auto        &points = named.second.points;
+          const double start  = points.front().distance;
+          for (WaterPoint &point : points)
+            point.distance = std::abs(point.distance - start);
+          AssertThrow(points.back().distance > 0.,
                       ExcMessage(path + (file.empty() ? "/Table" : "/File: " + file) +
                                  ": a profile has a single place only. Give its velocities from "
                                  "the entrance to the exit, two rows or more for each discharge."));
+          waterways.push_back(named.second);
+        }
         return waterways;
       }
 
@@ -63,17 +81,24 @@ namespace caudal::passage
       }
 
     private:
-      std::vector<Waterway> parse(const std::string &path) const
+      /** A row of the table in SI units. */
+      struct Row
       {
-        const NumberTable table = parse_number_table(path + "/Table", table_text, 3);
-        Waterway          waterway;
-        for (const NumberTable::Row &row : table.rows)
-          add(waterway, {row.values[0], row.values[1], row.values[2]}, row.place);
-        shift_to_start(waterway);
-        return {waterway};
+        WaterPoint  point;
+        double      discharge;
+        bool        has_depth;
+        std::string place;
+      };
+
+      std::vector<Row> parse(const std::string &path) const
+      {
+        std::vector<Row> result;
+        for (const auto &row : parse_number_table(path + "/Table", table_text, 3).rows)
+          result.push_back({{row.values[0], row.values[1], row.values[2]}, 0., true, row.place});
+        return result;
       }
 
-      std::vector<Waterway> read(const std::string &path) const
+      std::vector<Row> read(const std::string &path) const
       {
         TextTable table = read_text_table(path + "/File", file);
         AssertThrow(!table.header.empty() && !table.rows.empty(),
@@ -83,61 +108,40 @@ namespace caudal::passage
         remove_row_of_units(table);
         const std::size_t s = distance.require(table, path), v = velocity.require(table, path);
         const auto        d = depth.find(table, path), q = discharge.find(table, path);
-        if (rows == "downstream")
-          std::reverse(table.rows.begin(), table.rows.end());
-
-        std::map<double, Waterway> by_discharge;
+        std::vector<Row>  result;
         for (const TextTable::Row &row : table.rows)
         {
-          const double flow      = q ? discharge.read(row, *q) : 0.;
-          Waterway    &waterway  = by_discharge[flow];
-          waterway.discharge     = flow;
-          waterway.has_depths    = d.has_value();
-          const WaterPoint point = {distance.read(row, s), velocity.read(row, v),
-                                    d ? depth.read(row, *d) : 0.};
-          add(waterway, point, row.place);
+          result.push_back(
+              {{distance.read(row, s), velocity.read(row, v), d ? depth.read(row, *d) : 0.},
+               q ? discharge.read(row, *q) : 0.,
+               d.has_value(),
+               row.place});
+          check_not_negative(row.place + "discharge [m^3/s]", result.back().discharge);
         }
-        std::vector<Waterway> waterways;
-        for (auto &[flow, waterway] : by_discharge)
-        {
-          check_not_negative(path + "/File: " + file + ": discharge [m^3/s]", flow);
-          shift_to_start(waterway);
-          waterways.push_back(waterway);
-        }
-        return waterways;
+        return result;
       }
 
-      /** Appends a point; distances grow, or fall in all rows. */
-      void add(Waterway &waterway, const WaterPoint &point, const std::string &place) const
+      /**
+       * Appends a point. Distances grow on the way of the fish, but those of rows that follow the
+       * water may also count from its side.
+       */
+      void add(std::vector<WaterPoint> &points, const Row &row) const
       {
-        check_water(place, point);
-        auto &points = waterway.points;
-        if (points.size() > 1)
+        check_water(row.place, row.point);
+        if (!points.empty())
         {
+          const double step      = row.point.distance - points.back().distance;
           const double direction = points.back().distance - points.front().distance;
-          const bool   turns     = direction * (point.distance - points.back().distance) < 0.;
-          AssertThrow(!turns && (rows == "downstream" || direction >= 0.),
-                      ExcMessage(place + "the distance " +
-                                 Patterns::Tools::to_string(point.distance) + " m comes after " +
+          AssertThrow(rows == "upstream" ? step >= 0. : step * direction >= 0.,
+                      ExcMessage(row.place + "the distance " +
+                                 Patterns::Tools::to_string(row.point.distance) +
+                                 " m comes next to " +
                                  Patterns::Tools::to_string(points.back().distance) +
                                  " m: the profile is out of order. Sort the rows by distance, or "
                                  "give Passage/Profile/Rows = downstream if they follow the "
                                  "water."));
         }
-        points.push_back(point);
-      }
-
-      /** Counts distances from the first point. */
-      void shift_to_start(Waterway &waterway) const
-      {
-        const double start = waterway.points.front().distance;
-        AssertThrow(
-            rows == "downstream" || waterway.points.back().distance >= start,
-            ExcMessage("Passage/Profile: the distances fall from row to row: the profile is "
-                       "out of order. Give Passage/Profile/Rows = downstream if the rows "
-                       "follow the water."));
-        for (WaterPoint &point : waterway.points)
-          point.distance = std::abs(point.distance - start);
+        points.push_back(row.point);
       }
 
       std::string file, table_text, rows = "upstream";

@@ -9,7 +9,8 @@ namespace caudal::passage
   namespace
   {
     const double largest_ability = 6.; // a fish in a thousand million is better
-  }
+    const int    n_bits          = 30; // of it: the share is right to 1e-8
+  }                                    // namespace
 
   Ascent Question::ascend(const Waterway &waterway, const double length, const double ability,
                           const AscentOptions &options) const
@@ -26,7 +27,7 @@ namespace caudal::passage
   double Question::compute_share(const Waterway &waterway, const double length) const
   {
     const auto ability = find_threshold([&](const double z) { return passes(waterway, length, z); },
-                                        -largest_ability, largest_ability);
+                                        -largest_ability, largest_ability, n_bits);
     if (!ability)
       return 0.;
     if (*ability == -largest_ability)

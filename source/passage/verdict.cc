@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/base/print.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/threshold.h>
 #include <caudal/passage/verdict.h>
 
@@ -33,13 +33,13 @@ namespace caudal::passage
   {
     std::string print_place(const Ascent &ascent)
     {
-      return print_rounded(ascent.place) + " m, in water of " + print_rounded(ascent.velocity) +
+      return print_number(ascent.place) + " m, in water of " + print_number(ascent.velocity) +
              " m/s";
     }
 
     std::string print_percent(const double share)
     {
-      return print_rounded(100. * share) + " %";
+      return print_number(100. * share) + " %";
     }
 
     /** The largest factor on the velocities, from a hundredth to a hundred, that lets it pass. */
@@ -99,12 +99,25 @@ namespace caudal::passage
       }
       if (is_too_short)
         marks.push_back(
-            "Some speeds on the way can be held for less than the " + print_rounded(shortest) +
+            "Some speeds on the way can be held for less than the " + print_number(shortest) +
             " s from which on there are data, and are extrapolated (" + short_bands + ").");
       if (is_too_long)
         marks.push_back("The way takes longer than the " + Patterns::Tools::to_string(longest) +
                         " s up to which there are data (" + long_bands + ").");
       return marks;
+    }
+
+    /** Whether weak and strong fish of the law are the same. */
+    std::vector<std::string> mark_spread(const Question &question, const double length)
+    {
+      const auto get_speed = [&](const double ability) {
+        return question.law.make_curve({question.population.species, length, ability})
+            .get_fastest();
+      };
+      if (get_speed(1.) != get_speed(-1.))
+        return {};
+      return {"The spread of the endurance among fish is not known: all bands are that of the "
+              "median."};
     }
 
     std::string make_sentence(const Question &question, const Verdict &verdict)
@@ -135,25 +148,25 @@ namespace caudal::passage
     switch (ascent.cause)
     {
     case Cause::none:
-      return "passes the " + print_rounded(waterway.get_length()) + " m in " +
-             print_rounded(ascent.time) + " s with " + print_percent(1. - ascent.fatigue) +
+      return "passes the " + print_number(waterway.get_length()) + " m in " +
+             print_number(ascent.time) + " s with " + print_percent(1. - ascent.fatigue) +
              " of its endurance left; the most tiring place is at " + place;
     case Cause::velocity:
       return "can't get on at " + place + ": that is as fast as it can swim";
     case Cause::exhaustion:
       return "is exhausted at " + place + "; the whole way would take " +
-             print_rounded(ascent.fatigue) + " times its endurance";
+             print_number(ascent.fatigue) + " times its endurance";
     case Cause::burst:
       return "is exhausted by bursts at " + place;
     case Cause::depth:
-      return "finds the water too shallow at " + print_rounded(ascent.place) + " m, for it needs " +
-             print_rounded(needs.depth) + " m";
+      return "finds the water too shallow at " + print_number(ascent.place) + " m, for it needs " +
+             print_number(needs.depth) + " m";
     case Cause::leap:
-      return "can't leap the drop at " + print_rounded(ascent.place) + " m, which asks for " +
-             print_rounded(ascent.velocity) + " m/s";
+      return "can't leap the drop at " + print_number(ascent.place) + " m, which asks for " +
+             print_number(ascent.velocity) + " m/s";
     default:
-      return "is stopped by the drop at " + print_rounded(ascent.place) +
-             " m, which is higher than the " + print_rounded(needs.largest_drop) +
+      return "is stopped by the drop at " + print_number(ascent.place) +
+             " m, which is higher than the " + print_number(needs.largest_drop) +
              " m that are allowed";
     }
   }
@@ -168,7 +181,7 @@ namespace caudal::passage
     if (outside == 0.)
       return {};
     return {print_percent(outside) + " of the fish are shorter or longer than those of the data (" +
-            print_rounded(shortest) + " to " + print_rounded(longest) +
+            print_number(shortest) + " to " + print_number(longest) +
             " m): their answers are extrapolated."};
   }
 
@@ -185,8 +198,9 @@ namespace caudal::passage
                                          {true, spending.at_speed, spending.moving_mass}));
     verdict.sentence = make_sentence(question, verdict);
     verdict.marks    = mark_lengths(question);
-    for (const std::string &mark : mark_durations(question, verdict, length))
-      verdict.marks.push_back(mark);
+    for (const auto &marks :
+         {mark_spread(question, length), mark_durations(question, verdict, length)})
+      verdict.marks.insert(verdict.marks.end(), marks.begin(), marks.end());
     return verdict;
   }
 } // namespace caudal::passage

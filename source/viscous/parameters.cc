@@ -54,7 +54,7 @@ namespace caudal
   {
     prm.add_parameter("Model", model,
                       "The model: immersed, the elastic swimmer in a viscous fluid (the others, "
-                      "potential and elastic, have other parameters).",
+                      "potential, passage and elastic, have other parameters).",
                       Patterns::Selection("immersed"));
     prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
                       Patterns::Integer(2, 3));

@@ -12,6 +12,7 @@ namespace caudal::passage
   {
     std::string species;
     double      length; // [m]
+    std::string place;  // where its row stands, for messages
   };
 
   /** Section `Batch`: many fish at once. */
@@ -23,8 +24,8 @@ namespace caudal::passage
 
     void add_parameters(ParameterHandler &prm);
 
-    /** Throws a sentence if a fish can't be answered by the law with the section @p path. */
-    void check(const EnduranceLaw &law, const std::string &path) const;
+    /** Throws a sentence if the law does not know one of the fish. */
+    void check(const EnduranceLaw &law) const;
 
     bool is_asked_for() const
     {

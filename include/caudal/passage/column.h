@@ -41,9 +41,9 @@ namespace caudal::passage
       return units.at(unit);
     }
 
-    const std::string &get_unit() const
+    const std::string &get_quantity() const
     {
-      return unit;
+      return quantity;
     }
 
   private:
@@ -52,6 +52,15 @@ namespace caudal::passage
     const Units      &units;
     std::string       unit;
   };
+
+  /**
+   * The rows of two columns of a table in SI units, sorted by the first. Throws a sentence unless
+   * there is a row, all are positive, and each value of the first column stands there once. The
+   * entry `File` of section @p path names the table.
+   */
+  std::vector<std::pair<double, double>> read_pairs(const std::string &path,
+                                                    const std::string &file, const Column &first,
+                                                    const Column &second);
 
   /** Removes a row of units in parentheses, which HEC-RAS puts behind the header. */
   void remove_row_of_units(TextTable &table);

@@ -25,8 +25,8 @@ namespace caudal::passage
   class EnduranceLaw : public Plugin
   {
   public:
-    /** Throws a sentence if the law does not know the species; @p path is its section. */
-    virtual void check_species(const std::string & /*species*/, const std::string & /*path*/) const
+    /** Throws a sentence, which begins with @p entry, if the law does not know the species. */
+    virtual void check_species(const std::string & /*species*/, const std::string & /*entry*/) const
     {}
 
     /** T(U) of this fish. */

@@ -7,6 +7,8 @@
 #include <caudal/io/output_folder.h>
 #include <caudal/passage/answers.h>
 
+#include <deal.II/base/timer.h>
+
 #include <functional>
 
 namespace caudal
@@ -38,6 +40,7 @@ namespace caudal
   private:
     const PassageParameters &parameters;
     const MPI_Comm           communicator;
+    const Timer              timer;
     passage::Answers         answers; // on rank 0
   };
 } // namespace caudal
