@@ -8,6 +8,7 @@
 #include <caudal/base/safe_file.h>
 #include <caudal/base/version.h>
 #include <caudal/ideal/ideal_swimmer.h>
+#include <caudal/passage/fish_passage.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -133,6 +134,9 @@ namespace
   template <int dim>
   constexpr bool writes_checkpoints<ElasticBody<dim>> = false;
 
+  template <>
+  constexpr bool writes_checkpoints<FishPassage> = false;
+
   /** Runs, resumes, checks or verifies a case of a model. */
   template <class Model>
   Exit run_model(ParameterFile &file, const CommandLine &command_line)
@@ -228,11 +232,15 @@ namespace
     if (command_line.action == Action::print_parameters)
       return model == "potential"
                  ? print_model_parameters(IdealParameters(nullptr), command_line.format)
+             : model == "passage"
+                 ? print_model_parameters(PassageParameters(nullptr), command_line.format)
              : model == "elastic"
                  ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
                  : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
     if (model == "potential")
       return run_model<IdealSwimmer>(*file, command_line);
+    if (model == "passage")
+      return run_model<FishPassage>(*file, command_line);
     const bool is_plane = get_dimension(*file) == 2;
     if (model == "elastic")
       return is_plane ? run_model<ElasticBody<2>>(*file, command_line)

@@ -5,10 +5,10 @@ import argparse
 import pathlib
 import sys
 
-from . import MissingData, flow, history, style
+from . import MissingData, flow, history, passage, style
 from .results import Run
 
-# File name in DIR/plots, what it shows, the function that draws it.
+# Of the immersed model: file name in DIR/plots, what it shows, the function that draws it.
 FIGURES = (
     ("speed", "speed and displacement of point A (figure 7)", history.draw_speed),
     ("volume", "area change and range of J", history.draw_volume),
@@ -37,11 +37,14 @@ def draw_movie(run, folder):
 def main(arguments):
     parser = argparse.ArgumentParser(
         prog="scripts/plot", description="Draws the results of a run of Caudal as PNG files.",
-        epilog="Figures: " + "; ".join(f"{name}: {text}" for name, text, _ in FIGURES) + ".")
+        epilog="Figures: " + "; ".join(f"{name}: {text}" for name, text, _ in FIGURES)
+        + ". Of a run with Model = passage: "
+        + "; ".join(f"{name}: {text}" for name, text, _ in passage.FIGURES) + ".")
     parser.add_argument("folder", metavar="DIR", type=pathlib.Path,
                         help="the run's output folder; the pictures go to DIR/plots")
     parser.add_argument("--only", metavar="NAME", action="append",
-                        choices=[name for name, _, _ in FIGURES], help="draw this figure only")
+                        choices=[name for name, _, _ in FIGURES + passage.FIGURES],
+                        help="draw this figure only")
     parser.add_argument("--movie", action="store_true",
                         help="draw the vorticity of every output to DIR/plots/movie, too")
     options = parser.parse_args(arguments)
@@ -51,9 +54,11 @@ def main(arguments):
         return 1
 
     style.apply()
-    run = Run(options.folder)
+    is_passage = (options.folder / "passage.json").is_file()
+    run = passage.Answers(options.folder) if is_passage else Run(options.folder)
     tasks = [(name, lambda name=name, draw=draw: save(draw(run), run.folder / "plots" / f"{name}.png"))
-             for name, _, draw in FIGURES if not options.only or name in options.only]
+             for name, _, draw in (passage.FIGURES if is_passage else FIGURES)
+             if not options.only or name in options.only]
     if options.movie:
         tasks.append(("movie", lambda: draw_movie(run, run.folder / "plots" / "movie")))
 

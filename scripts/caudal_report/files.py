@@ -30,6 +30,14 @@ def read_parameters(folder):
     return entries
 
 
+def read_model(folder):
+    """Which model the run in a folder is of: immersed, potential, passage or elastic."""
+    for section, entry, value, _ in read_parameters(folder):
+        if not section and entry == "Model":
+            return value
+    return "immersed"
+
+
 def read_progress(folder):
     """What manifest.txt says of the run: finished, unfinished or failed; None if there is none, as
     in results of versions before 0.2."""

@@ -8,13 +8,13 @@ import sys
 
 from caudal_plots import MissingData, style
 
-from . import fish, page, salmon
+from . import files, fish, page, passage, salmon
 
 
 def main(arguments):
     parser = argparse.ArgumentParser(
-        prog="scripts/report", description="Writes the report of a run of Caudal, of either model, "
-        "as one HTML page that needs no network.")
+        prog="scripts/report", description="Writes the report of a run of Caudal, of any of its "
+        "models, as one HTML page that needs no network.")
     parser.add_argument("folder", metavar="DIR", type=pathlib.Path, help="the run's output folder")
     parser.add_argument("--output", metavar="FILE", type=pathlib.Path,
                         help="the page (DIR/report.html)")
@@ -36,10 +36,13 @@ def main(arguments):
     output = options.output or options.folder / "report.html"
     try:
         what = (options.folder, options.frames, not options.no_pictures)
-        if salmon.is_potential(options.folder):
-            if options.lone:
-                raise MissingData("--lone: there are no schools in an ideal fluid.")
+        model = files.read_model(options.folder)
+        if options.lone and model != "immersed":
+            raise MissingData("--lone: only the immersed model has schools.")
+        if model == "potential":
             report = salmon.describe(*what)
+        elif model == "passage":
+            report = passage.describe(options.folder)
         else:
             report = fish.describe(*what, options.lone)
         text = page.render(report)

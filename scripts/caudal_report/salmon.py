@@ -18,12 +18,6 @@ TIME = "time [s]"
 ZERO = 1e-7  # of a turn or radius, what is round-off
 
 
-def is_potential(folder):
-    """Whether a folder holds a run of this model; which one it is stands in parameters.prm."""
-    return any(not section and entry == "Model" and value == "potential"
-               for section, entry, value, _ in files.read_parameters(folder))
-
-
 def read_summary(folder):
     """Names with units, and for each frequency their values, from summary.csv."""
     path = folder / "summary.csv"

@@ -2,6 +2,7 @@
 #include <caudal/app/model_run.h>
 #include <caudal/base/archive.h>
 #include <caudal/ideal/ideal_swimmer.h>
+#include <caudal/passage/fish_passage.h>
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
@@ -155,11 +156,12 @@ namespace caudal
   template class ModelRun<IdealSwimmer>;
 
   // Without resume().
-#define INSTANTIATE(dim)                                                                           \
-  template ModelRun<ElasticBody<dim>>::ModelRun(const ParameterFile &, MPI_Comm);                  \
-  template void    ModelRun<ElasticBody<dim>>::check(std::ostream &, bool) const;                  \
-  template Outcome ModelRun<ElasticBody<dim>>::start(const std::function<bool()> &) const;
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+#define INSTANTIATE(Model)                                                                         \
+  template ModelRun<Model>::ModelRun(const ParameterFile &, MPI_Comm);                             \
+  template void    ModelRun<Model>::check(std::ostream &, bool) const;                             \
+  template Outcome ModelRun<Model>::start(const std::function<bool()> &) const;
+  INSTANTIATE(ElasticBody<2>)
+  INSTANTIATE(ElasticBody<3>)
+  INSTANTIATE(FishPassage)
 #undef INSTANTIATE
 } // namespace caudal

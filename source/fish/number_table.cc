@@ -92,15 +92,14 @@ namespace caudal
     return boost::lexical_cast<double>(field);
   }
 
-  NumberTable read_number_table(const std::string &entry, const std::string &file_name,
-                                const unsigned int n_columns)
+  TextTable read_text_table(const std::string &entry, const std::string &file_name)
   {
     std::string       text;
     const std::string reason = catch_file_error([&]() { text = read_text_file(file_name); });
     AssertThrow(reason.empty(), ExcMessage(entry + ": the table can't be read: " + reason +
                                            ". Give an existing table of numbers."));
     std::istringstream file(text);
-    NumberTable        table;
+    TextTable          table;
     unsigned int       number = 0;
     for (std::string line; std::getline(file, line);)
     {
@@ -123,8 +122,18 @@ namespace caudal
         table.header_place = place;
       }
       else
-        table.rows.push_back(parse_row(place, fields, n_columns));
+        table.rows.push_back({fields, place});
     }
+    return table;
+  }
+
+  NumberTable read_number_table(const std::string &entry, const std::string &file_name,
+                                const unsigned int n_columns)
+  {
+    const TextTable texts = read_text_table(entry, file_name);
+    NumberTable     table{texts.header, texts.header_place, {}};
+    for (const TextTable::Row &row : texts.rows)
+      table.rows.push_back(parse_row(row.place, row.fields, n_columns));
     return table;
   }
 

@@ -22,8 +22,8 @@ namespace caudal
   void ElasticParameters<dim>::declare(ParameterHandler &prm)
   {
     prm.add_parameter("Model", model,
-                      "The model: elastic, a body without fluid (the others, immersed and "
-                      "potential, have other parameters).",
+                      "The model: elastic, a body without fluid (the others, immersed, "
+                      "potential and passage, have other parameters).",
                       Patterns::Selection("elastic"));
     prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
                       Patterns::Integer(2, 3));

@@ -54,7 +54,7 @@ namespace caudal
   {
     prm.add_parameter("Model", model,
                       "The model: immersed, the elastic swimmer in a viscous fluid (the others, "
-                      "potential and elastic, have other parameters).",
+                      "potential, passage and elastic, have other parameters).",
                       Patterns::Selection("immersed"));
     prm.add_parameter("Dimension", dimension, "Space dimension, 2 or 3 [1].",
                       Patterns::Integer(2, 3));
@@ -104,9 +104,10 @@ namespace caudal
   std::string get_model(const ParameterFile &file)
   {
     const std::string model = file.get("Model", "immersed");
-    AssertThrow(
-        model == "immersed" || model == "potential" || model == "elastic",
-        ExcMessage("Model: the value is <" + model + ">. Give immersed, potential or elastic."));
+    AssertThrow(model == "immersed" || model == "potential" || model == "passage" ||
+                    model == "elastic",
+                ExcMessage("Model: the value is <" + model +
+                           ">. Give immersed, potential, passage or elastic."));
     return model;
   }
 

@@ -65,3 +65,4 @@ is_current() {
 }
 is_current doc/parameters.md
 is_current doc/parameters_potential.md "$CAUDAL_SOURCE_DIR/prm/salmon/salmon.prm"
+is_current doc/parameters_passage.md "$CAUDAL_SOURCE_DIR/prm/passage/two_reaches.prm"

@@ -7,6 +7,20 @@
 
 namespace caudal
 {
+  /** A table as texts, with the place where each row stands for messages about it. */
+  struct TextTable
+  {
+    struct Row
+    {
+      std::vector<std::string> fields;
+      std::string              place; ///< "Passage/Profile/File: culvert.csv, line 3: "
+    };
+
+    std::vector<std::string> header; ///< the words of a first row that begins with one
+    std::string              header_place;
+    std::vector<Row>         rows;
+  };
+
   /** A table of numbers, with the place where each row stands for messages about it. */
   struct NumberTable
   {
@@ -29,11 +43,16 @@ namespace caudal
   double parse_number(const std::string &field, const std::string &place);
 
   /**
-   * The rows of numbers in a text file, as spreadsheets write it: entries separated by commas,
-   * semicolons or blanks, perhaps in quotes, comments from '#' on, see read_text_file(). A first
-   * row that begins with a word is the header. Throws a sentence about the first bad row, also
-   * unless each one has @p n_columns numbers, of which 0 allows any number. @p entry is the section
+   * The rows in a text file, as spreadsheets write it: entries separated by commas, semicolons or
+   * blanks, perhaps in quotes, comments from '#' on, see read_text_file(). A first row that begins
+   * with a word is the header. Throws a sentence if the file can't be read. @p entry is the section
    * and entry of the .prm that messages name, together with file and line.
+   */
+  TextTable read_text_table(const std::string &entry, const std::string &file_name);
+
+  /**
+   * The same of numbers. Throws a sentence about the first bad row, also unless each one has
+   * @p n_columns numbers, of which 0 allows any number.
    */
   NumberTable read_number_table(const std::string &entry, const std::string &file_name,
                                 unsigned int n_columns);
