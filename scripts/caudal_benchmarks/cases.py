@@ -10,7 +10,7 @@ import typing
 
 import numpy as np
 
-from . import studies
+from . import studies, surface
 from .figures import (MILLIMETRE, Figure, Signal, check_body, check_ledger,
                       compare_force_accounts, describe)
 
@@ -309,7 +309,13 @@ CASES = {case.name: case for case in (
     Case("cook", "Cook's membrane in a box of fluid", "3.5 min", evaluate_cook,
          curves=("panel: y of point 1", "panel: min J", "panel: max J")),
     Case("eel", "self-propelled eel on three grids", "8 min", evaluate_eel,
-         tuple((f"Domain/Cells={16 * n},{8 * n}", f"Body eel/Shape/Elements={32 * n},4",
+         tuple((f"Domain/Cells={16 * n},{8 * n}",
                 f"Refinement/Largest number of cells={1250 * n * n}") for n in (1, 2, 4)),
          curves=("eel: u of centre of mass",)),
+    Case("eel_ibamr", "IBAMR's eel on three grids", "10 min", surface.evaluate_eel_ibamr,
+         surface.EEL_VARIANTS, curves=("eel: u of centre of mass",)),
+    Case("couette", "circular Couette flow, place of an immersed wall", "1 min",
+         surface.evaluate_couette, surface.COUETTE_VARIANTS),
+    Case("slanted_channel", "channel between slanted immersed walls", "1 min",
+         surface.evaluate_slanted_channel, surface.CHANNEL_VARIANTS),
 )}

@@ -66,6 +66,10 @@ namespace caudal
   {
     shape.check(path + "/Shape");
     gait.check(path);
+    AssertThrow(!gait.type.get().shifts_sections(),
+                ExcMessage(path + "/Gait/Type: the gait <" + gait.type.get_name() +
+                           "> shifts sections at fixed x, and in an ideal fluid they turn with the "
+                           "spine. Give another gait, or a viscous fluid (Model)."));
     check_not_negative(path + "/Density", density,
                        "Give a positive density [kg/m^3], or 0 for that of the fluid.");
     for (const double component : linear_impulse)

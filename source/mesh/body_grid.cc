@@ -3,6 +3,7 @@
 
 #include <caudal/mesh/body_grid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -87,10 +88,16 @@ namespace caudal
     GridDivisions divisions{{}, spacing, region_boundaries};
     if (has_automatic_elements())
       return divisions;
-    AssertThrow(Patterns::List(Patterns::Integer(1), dim, dim).match(elements),
+    for (const std::string &text : Utilities::split_string_list(elements))
+    {
+      // Whole numbers may have an exponent.
+      const double value = Patterns::Double(1., 1e9).match(text) ? std::stod(text) : 0.;
+      divisions.elements.push_back(value == std::floor(value) ? std::lround(value) : 0);
+    }
+    AssertThrow(divisions.elements.size() == dim &&
+                    *std::min_element(divisions.elements.begin(), divisions.elements.end()) > 0,
                 ExcMessage(path + "/Shape/Elements: the value is <" + elements + ">. Give " +
                            std::to_string(dim) + " numbers separated by commas, or automatic."));
-    divisions.elements = Patterns::Tools::Convert<std::vector<unsigned int>>::to_value(elements);
     return divisions;
   }
 

@@ -346,8 +346,12 @@ namespace caudal
     const auto    &nodes = body.get_nodes();
     Vector<double> positions(body.n_dofs());
     for (unsigned int n = 0; n < nodes.size(); ++n)
+      set_value(positions, nodes[n], shape.positions[n]);
+    // Laid over the straight body.
+    const auto fit = fit_rigid_motion(body, nodes, positions, body.get_initial_positions());
+    for (unsigned int n = 0; n < nodes.size(); ++n)
       set_value(positions, nodes[n],
-                place_in_domain(body.get_parameters().grid, shape.positions[n]));
+                fit.center + fit.rotation * (shape.positions[n] - fit.reference_center));
     return positions;
   }
 

@@ -171,7 +171,7 @@ int main()
 
   const auto shifted = make_gait(
       {{"Type", "displacement"}, {"Displacement/Function", "0.1*(s + 0.2)*sin(2*pi*(s - t))"}});
-  const auto moved = PrescribedMotion<2>(*shifted, {on_outline(Point<2>(1.2, 0.1))}).compute(0.35);
+  const auto moved = PrescribedMotion<2>(*shifted, {on_outline(Point<2>(1.2, 0.1))}).compute(0.1);
   std::cout << "displacement: " << moved.positions[0] << " moves with " << moved.velocities[0]
             << std::endl;
 
