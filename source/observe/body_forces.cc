@@ -47,11 +47,11 @@ namespace caudal
       {
         for (unsigned int b = 0; b < momenta.size(); ++b)
         {
-          const auto          &[body, state, report] = observation.bodies[b];
-          const SolidBody<dim> &solid                = body.get_solid();
-          const double          density = observation.space.get_parameters().density;
-          momenta[b].add(observation.time, density * solid.get_reference_volume() *
-                                               body.get_mean_velocity(state));
+          const auto &[body, state, report] = observation.bodies[b];
+          const SolidBody<dim> &solid       = body.get_solid();
+          const double          density     = observation.space.get_parameters().density;
+          momenta[b].add(observation.time,
+                         density * solid.get_reference_volume() * body.get_mean_velocity(state));
           Vector<double> nodal_momenta(solid.n_dofs());
           solid.get_mass_matrix().vmult(nodal_momenta, state.velocity);
           nodal_momenta *= density;

@@ -136,8 +136,8 @@ void print_error(const std::string &type, Entries entries, const unsigned int n_
   entries["Type"] = type;
   Triangulation<dim> tria;
   print_error([&]() {
-    make_body_grid(tria, ShapeFromEntries<dim>(entries), 0.05, std::vector<std::string>(n_regions, "x"),
-                   "Body x");
+    make_body_grid(tria, ShapeFromEntries<dim>(entries), 0.05,
+                   std::vector<std::string>(n_regions, "x"), "Body x");
   });
 }
 

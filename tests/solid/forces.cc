@@ -84,19 +84,19 @@ namespace
         : parameters("test", {"front", "back"})
     {
       parameters.grid.shape.type.set_name("beam");
-      parameters.grid.shape.lengths.thickness     = 0.3;
-      parameters.grid.shape.lengths.width         = 0.4;
-      parameters.grid.elements          = dim == 2 ? "2, 2" : "2, 2, 2";
-      parameters.grid.region_boundaries = {0.5};
-      parameters.grid.rotation                    = 30;
-      parameters.polynomial_degree                = 2;
-      MaterialParameters<dim> &front              = parameters.region_parameters[0]->material;
-      front.moduli.youngs_modulus                 = 3;
-      MaterialParameters<dim> &back               = parameters.region_parameters[1]->material;
+      parameters.grid.shape.lengths.thickness = 0.3;
+      parameters.grid.shape.lengths.width     = 0.4;
+      parameters.grid.elements                = dim == 2 ? "2, 2" : "2, 2, 2";
+      parameters.grid.region_boundaries       = {0.5};
+      parameters.grid.rotation                = 30;
+      parameters.polynomial_degree            = 2;
+      MaterialParameters<dim> &front          = parameters.region_parameters[0]->material;
+      front.moduli.youngs_modulus             = 3;
+      MaterialParameters<dim> &back           = parameters.region_parameters[1]->material;
       back.material.set_name("St. Venant-Kirchhoff");
       back.moduli.shear_modulus = 2;
-      body                      = std::make_unique<SolidBody<dim>>(parameters, Surroundings{1., 0.1});
-      elastic_load              = make_elastic_load(*body);
+      body         = std::make_unique<SolidBody<dim>>(parameters, Surroundings{1., 0.1});
+      elastic_load = make_elastic_load(*body);
     }
 
     Vector<double> map(const std::function<Tensor<1, dim>(const Tensor<1, dim> &)> &mapping) const
