@@ -86,6 +86,26 @@ namespace caudal
       return solution[0] > 0. && sum < 1. + tolerance ? solution[0] : miss;
     }
 
+    /** Whether the facet reaches as far as the line along y through the point, in each direction.
+     */
+    template <int dim>
+    bool may_meet_lateral_line(const Facet<dim> &facet, const Point<dim> &point)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        double low = facet[0][d], high = facet[0][d];
+        for (const Point<dim> &vertex : facet)
+        {
+          low  = std::min(low, vertex[d]);
+          high = std::max(high, vertex[d]);
+        }
+        const double tolerance = 1e-9 * (1. + std::abs(high - low));
+        if (d != 1 && (point[d] < low - tolerance || point[d] > high + tolerance))
+          return false;
+      }
+      return true;
+    }
+
     template <int dim>
     std::vector<BoundaryFace<dim>> collect_boundary(const Triangulation<dim> &tria)
     {
@@ -136,6 +156,8 @@ namespace caudal
       for (const BoundaryFace<dim> &face : faces)
         for (const Facet<dim> &facet : face.facets)
         {
+          if (!may_meet_lateral_line<dim>(facet, point))
+            continue;
           const double distance = compute_distance<dim>(outside, Point<dim>::unit_vector(1), facet);
           if (distance < infinity)
           {

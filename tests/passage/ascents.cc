@@ -200,7 +200,7 @@ void test_fishxing()
 
 int main()
 {
-  std::cout << std::setprecision(8);
+  std::cout << std::setprecision(6);
   test_hand();
   test_refinement();
   test_rests();
