@@ -33,7 +33,7 @@ namespace caudal
   {
     std::array<Quadrature<1>, dim> lines = make_lines<dim>(n_points);
     // A little inside, so that a body at a side of the domain has its points in it.
-    const double inside = 1e-8;
+    const double inside = 1e-10;
     const double side = GeometryInfo<dim>::unit_normal_orientation[face] > 0 ? 1. - inside : inside;
     lines[GeometryInfo<dim>::unit_normal_direction[face]] = Quadrature<1>(Point<1>(side));
     return make_product<dim>(lines);

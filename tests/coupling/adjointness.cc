@@ -253,7 +253,7 @@ namespace
     interpolated -= expected;
     if (is_root)
       std::cout << "  relative error of an interpolated linear field "
-                << in_units(1e-12, interpolated.linfty_norm() / expected.linfty_norm()) << '\n';
+                << in_units(1e-9, interpolated.linfty_norm() / expected.linfty_norm()) << '\n';
 
     // The total of a force of (1, 0, 0) per volume is the body's volume, with 2 dim surface layers
     // of a quarter of it, if no part of it acts on the boundary.
