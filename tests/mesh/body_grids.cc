@@ -39,8 +39,7 @@ void report(const std::string &name, const Entries &entries, const double volume
                                               ? 2
                                               : parameters.region_boundaries.size() + 1;
   Triangulation<dim>          tria;
-  make_body_grid(tria, parameters, dim == 2 ? 0.01 : 0.05, std::vector<std::string>(n_regions, "x"),
-                 "Body x");
+  make_body_grid(tria, parameters, 0.01, std::vector<std::string>(n_regions, "x"), "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
 
