@@ -96,3 +96,5 @@ echo "answered, but marked:"
 for change in "Fish/Length=1.5" "Passage/Profile/Table=0, 1, 0.4; 10, 3.5, 0.3" "Passage/Profile/Table=0, 0.05, 1; 2000, 0.05, 1"; do
   "$CAUDAL" --check good.prm -D "$change" | sed -n "s|^Warning|  ${change%%=*}: warning|p"
 done
+"$CAUDAL" --check good.prm -D "Strategy/Type=constant ground speed" -D "Strategy/Constant ground speed/Speed=0.1" \
+  -D "Passage/Profile/Table=0, 0.1, 0.4; 10, 0.1, 0.3" | sed -n "s|^Warning|  a slow fish: warning|p"
