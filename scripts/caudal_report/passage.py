@@ -21,12 +21,12 @@ METHOD = (
     "lower limit of the band that holds 75 % of them, 97.5 % that of 95 %. The share that passes is taken "
     "over this spread and over the distribution of lengths.",
     "Drops of the height h ask for the speed √(2 g h), in a leap or, in a slot, against the jet. The "
-    "largest velocity is the water's largest one times the factor on all velocities with which the fish "
-    "just passes.")
+    "largest velocity is the water's largest one, without drops and slots, times the factor on all these "
+    "velocities with which the fish just passes.")
 
 
 def percent(share):
-    return f"{100 * share:.3g} %"
+    return "less than 0.1 %" if 0 < share < 1e-3 else f"{100 * share:.3g} %"
 
 
 def make_answer(facts):
@@ -63,8 +63,8 @@ def make_band_table(facts):
     header = ["discharge", "fish", "better fish", "verdict", "fatigue [1]", "margin of velocity",
               "largest velocity [m/s]", "smallest length [m]", "time [s]"]
     return page.make_table(header + (["energy [J]"] if facts["energy"] else []), rows,
-                           "Fish of the mean length. Margin: by how much all velocities may grow, or "
-                           "have to fall.", left=(0, 1, 3))
+                           "Fish of the mean length. Margin: by how much all velocities along the way may "
+                           "grow, or have to fall; those in drops and slots stay as they are.", left=(0, 1, 3))
 
 
 def make_inputs(facts, entries):
@@ -77,6 +77,7 @@ def make_inputs(facts, entries):
         rows.append(("energy", facts["energy"]))
     named = {("Fish", "Standard deviation of length"): "standard deviation of length [m]",
              ("Fish", "Length classes"): "length classes [m, fish]",
+             ("Passage/Profile", "Table"): "profile [m, m/s, m]",
              ("Passage", "Drops"): "drops [m, m, m]", ("Passage", "Rests"): "rests [m, 1]",
              ("Passage", "Rest spacing"): "distance between rests [m]"}
     for section, entry, value, default in entries:
@@ -131,10 +132,10 @@ def describe(folder):
     """The page of a run; MissingData if what it can't do without is not there."""
     answers, log = Answers(folder), files.Log(folder)
     entries, facts = files.read_parameters(folder), answers.facts
-    colour = answers.hardest["colour"]
+    colour, discharge = answers.hardest["colour"], answers.hardest["discharge"]
+    where = f" at {name_discharge(discharge)}" if discharge > 0 else ""
     report = page.Page(f"Can this fish pass? {facts['species']}, {facts['mean length']:g} m",
-                       f"{folder.resolve().name}: {WORDS[colour]} at "
-                       f"{name_discharge(answers.hardest['discharge'])}; {common.make_state(log)}.")
+                       f"{folder.resolve().name}: {WORDS[colour]}{where}; {common.make_state(log)}.")
     marks = dict.fromkeys(mark for verdict in facts["verdicts"] for mark in verdict["marks"])
     report.add("Verdict", make_answer(facts) + page.join(
         page.make_element("p", mark, 'class="warning"') for mark in marks))

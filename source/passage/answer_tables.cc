@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/passage/answer_output.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <iomanip>
 #include <sstream>
 
@@ -47,7 +49,7 @@ namespace caudal::passage
     /** A text within quotes, as spreadsheets want it. */
     std::string quote(const std::string &text)
     {
-      return '"' + text + '"';
+      return '"' + dealii::Utilities::replace_in_string(text, "\"", "\"\"") + '"';
     }
   } // namespace
 

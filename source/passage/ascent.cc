@@ -29,6 +29,7 @@ namespace caudal::passage
       Ascent walk()
       {
         const auto &points = waterway.points;
+        note(points[0]);
         for (std::size_t k = 0; k + 1 < points.size() && !is_stopped; ++k)
         {
           WaterPoint here = points[k];
@@ -46,6 +47,8 @@ namespace caudal::passage
         }
         while (!is_stopped && get_event_distance() <= waterway.get_length())
           meet_event(points.back());
+        if (!is_stopped)
+          ascent.reach = waterway.get_length();
         if (ascent.cause == Cause::none)
           set_place(hardest);
         return ascent;
@@ -106,7 +109,8 @@ namespace caudal::passage
       void stop(const Cause cause, const WaterPoint &point)
       {
         fail(cause, point);
-        is_stopped = true;
+        ascent.reach = point.distance;
+        is_stopped   = true;
       }
 
       void meet_event(const WaterPoint &point)
@@ -120,6 +124,7 @@ namespace caudal::passage
           const double rest = 1. - waterway.rests[next_rest++].recovery;
           fatigue           = {{fatigue[0] * rest, fatigue[1] * rest}};
           effort_time       = 0.;
+          last_speed        = 0.;
         }
         note(point);
       }
@@ -139,7 +144,11 @@ namespace caudal::passage
         else if (!behaviour(velocity))
           stop(Cause::velocity, jet);
         else
+        {
+          note(jet);
           swim(jet, jet, drop.length);
+          note(jet);
+        }
       }
 
       /** The places before and behind which @p holds, that does at the beginning, ends to do so. */
@@ -158,6 +167,9 @@ namespace caudal::passage
 
       static WaterPoint blend(const WaterPoint &a, const WaterPoint &b, const double share)
       {
+        // Beyond b, by rounding, there may be no way.
+        if (share == 1.)
+          return b;
         return interpolate(a, b, a.distance + share * (b.distance - a.distance));
       }
 

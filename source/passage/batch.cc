@@ -28,8 +28,7 @@ namespace caudal::passage
 
   std::vector<BatchFish> BatchParameters::read() const
   {
-    TextTable table = read_text_table("Batch/File", file);
-    remove_row_of_units(table);
+    TextTable  table = read_text_table("Batch/File", file);
     const auto column =
         std::find_if(table.header.begin(), table.header.end(),
                      [&](const auto &name) { return lower(name) == lower(species_column); });
@@ -37,7 +36,9 @@ namespace caudal::passage
                 ExcMessage("Batch/File: " + file + ": there is no column <" + species_column +
                            ">. The header has: " + list_names(table.header) +
                            ". Give Batch/Column of species."));
-    const std::size_t      s = column - table.header.begin(), l = length.require(table, "Batch");
+    const std::size_t s = column - table.header.begin();
+    move_units_to_header(table);
+    const std::size_t      l = length.require(table, "Batch");
     std::vector<BatchFish> fish;
     for (const TextTable::Row &row : table.rows)
     {

@@ -28,6 +28,7 @@ namespace caudal::passage
   Column::Column(const std::string &quantity, const std::string &name, const Units &units,
                  const std::string &unit)
       : quantity(quantity)
+      , preset_name(name)
       , name(name)
       , units(units)
       , unit(unit)
@@ -49,13 +50,22 @@ namespace caudal::passage
       const auto [header, header_unit] = split_header(table.header[k]);
       if (header != lower(name) && lower(table.header[k]) != lower(name))
         continue;
-      AssertThrow(units.count(header_unit) == 0 || header_unit == unit,
+      AssertThrow(units.count(header_unit) == 0 || units.at(header_unit) == units.at(unit),
                   ExcMessage(table.header_place + "the header gives the " + quantity + " in " +
                              header_unit + ", and " + path + "/Unit of " + quantity + " is " +
                              unit + ". Give the right one to the entry."));
       return k;
     }
     return std::nullopt;
+  }
+
+  std::optional<std::size_t> Column::find_optional(const TextTable   &table,
+                                                   const std::string &path) const
+  {
+    if (name.empty())
+      return std::nullopt;
+    return name == preset_name ? find(table, path)
+                               : std::optional<std::size_t>(require(table, path));
   }
 
   std::size_t Column::require(const TextTable &table, const std::string &path) const
@@ -84,7 +94,7 @@ namespace caudal::passage
                 ExcMessage(entry + ": there is none. Give a table of " + first.get_quantity() +
                            " and " + second.get_quantity() + "."));
     TextTable table = read_text_table(entry, file);
-    remove_row_of_units(table);
+    move_units_to_header(table);
     const std::size_t x = first.require(table, path), y = second.require(table, path);
     std::vector<std::pair<double, double>> pairs;
     for (const TextTable::Row &row : table.rows)
@@ -102,14 +112,18 @@ namespace caudal::passage
     return pairs;
   }
 
-  void remove_row_of_units(TextTable &table)
+  void move_units_to_header(TextTable &table)
   {
     if (table.rows.empty())
       return;
     const auto &fields = table.rows[0].fields;
-    if (std::all_of(fields.begin(), fields.end(), [](const std::string &field) {
+    if (!std::all_of(fields.begin(), fields.end(), [](const std::string &field) {
           return field.empty() || (field.front() == '(' && field.back() == ')');
         }))
-      table.rows.erase(table.rows.begin());
+      return;
+    for (std::size_t k = 0; k < std::min(fields.size(), table.header.size()); ++k)
+      if (!fields[k].empty() && split_header(table.header[k]).second.empty())
+        table.header[k] += ' ' + fields[k];
+    table.rows.erase(table.rows.begin());
   }
 } // namespace caudal::passage

@@ -5,6 +5,7 @@
 
 #include <boost/math/tools/minima.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,14 +62,17 @@ namespace caudal::passage
       static double compute_best(const Waterway &waterway, const EnduranceCurve &curve,
                                  const Needs &needs)
       {
-        const auto compute_fatigue = [&](const double log_speed) {
-          const Ascent ascent   = ascend_at(std::exp(log_speed), waterway, curve, needs, {});
-          const bool   is_tired = ascent.passes() || ascent.cause == Cause::exhaustion;
-          // A speed that is too much for some place is worse than all that are not.
-          return is_tired ? std::log(ascent.fatigue) : 1e3 + log_speed;
+        const int    n               = 24;
+        const double first           = std::log(1e-3 * curve.get_fastest());
+        const double reach           = ascend_at(std::exp(first), waterway, curve, needs, {}).reach;
+        const auto   compute_fatigue = [&](const double log_speed) {
+          const Ascent ascent = ascend_at(std::exp(log_speed), waterway, curve, needs, {});
+          // A speed that is too much for some place is worse than all that are not. Where no speed
+          // gets it on, at a barrier, the one counts that tires least up to there.
+          return ascent.reach >= reach
+                       ? std::log(std::max(ascent.fatigue, std::numeric_limits<double>::min()))
+                       : 1e3 + log_speed;
         };
-        const int    n     = 24;
-        const double first = std::log(1e-3 * curve.get_fastest());
         const double step  = (std::log(2. * curve.get_fastest()) - first) / n;
         int          best  = 0;
         double       least = std::numeric_limits<double>::infinity();

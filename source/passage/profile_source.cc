@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
 #include <caudal/passage/column.h>
+#include <caudal/passage/print.h>
 #include <caudal/passage/water_source.h>
 
 #include <algorithm>
@@ -59,6 +60,7 @@ namespace caudal::passage
           waterway.has_depths = row.has_depth;
           add(waterway.points, row);
         }
+        check_ends(path, by_discharge);
         std::vector<Waterway> waterways;
         for (auto &named : by_discharge)
         {
@@ -66,10 +68,6 @@ namespace caudal::passage
           const double start  = points.front().distance;
           for (WaterPoint &point : points)
             point.distance = std::abs(point.distance - start);
-          AssertThrow(points.back().distance > 0.,
-                      ExcMessage(path + (file.empty() ? "/Table" : "/File: " + file) +
-                                 ": a profile has a single place only. Give its velocities from "
-                                 "the entrance to the exit, two rows or more for each discharge."));
           waterways.push_back(named.second);
         }
         return waterways;
@@ -105,9 +103,10 @@ namespace caudal::passage
                     ExcMessage(path + "/File: " + file +
                                ": there is no header, or no row below it. The first row has to "
                                "name the columns."));
-        remove_row_of_units(table);
+        move_units_to_header(table);
         const std::size_t s = distance.require(table, path), v = velocity.require(table, path);
-        const auto        d = depth.find(table, path), q = discharge.find(table, path);
+        const auto        d = depth.find_optional(table, path);
+        const auto        q = discharge.find_optional(table, path);
         std::vector<Row>  result;
         for (const TextTable::Row &row : table.rows)
         {
@@ -119,6 +118,36 @@ namespace caudal::passage
           check_not_negative(row.place + "discharge [m^3/s]", result.back().discharge);
         }
         return result;
+      }
+
+      /** Each discharge has a way, and not only its part of one. */
+      void check_ends(const std::string &path, const std::map<double, Waterway> &by_discharge) const
+      {
+        const std::string entry = path + (file.empty() ? "/Table" : "/File: " + file) + ": ";
+        const auto       &first = *by_discharge.begin();
+        const auto        print = [](const std::pair<const double, Waterway> &way) {
+          return print_number(way.first) + " m^3/s reach from " +
+                 print_number(way.second.points.front().distance) + " m to " +
+                 print_number(way.second.points.back().distance) + " m";
+        };
+        for (const auto &way : by_discharge)
+        {
+          const double begin = way.second.points.front().distance,
+                       end   = way.second.points.back().distance;
+          AssertThrow(begin != end,
+                      ExcMessage(entry +
+                                 "a profile has a single place only. Give its velocities from "
+                                 "the entrance to the exit, two rows or more for each discharge."));
+          const auto [low, high]             = std::minmax(begin, end);
+          const auto [first_low, first_high] = std::minmax(first.second.points.front().distance,
+                                                           first.second.points.back().distance);
+          AssertThrow(low < first_high && first_low < high,
+                      ExcMessage(entry + "the rows of " + print(first) + " and those of " +
+                                 print(way) +
+                                 ": does the discharge change along the way? Give all places for "
+                                 "each discharge, or an empty " +
+                                 path + "/Column of discharge to take all rows as one way."));
+        }
       }
 
       /**
@@ -139,7 +168,10 @@ namespace caudal::passage
                                  Patterns::Tools::to_string(points.back().distance) +
                                  " m: the profile is out of order. Sort the rows by distance, or "
                                  "give Passage/Profile/Rows = downstream if they follow the "
-                                 "water."));
+                                 "water" +
+                                 (file.empty() ? "."
+                                               : ", or Passage/Profile/Column of discharge if "
+                                                 "there are several.")));
         }
         points.push_back(row.point);
       }

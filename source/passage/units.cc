@@ -9,8 +9,14 @@ namespace caudal::passage
   }
 
   const Units length_units{{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"km", 1e3}, {"ft", foot}};
-  const Units speed_units{{"m/s", 1.}, {"cm/s", 1e-2}, {"ft/s", foot}, {"km/h", 1. / 3.6}};
-  const Units discharge_units{{"m^3/s", 1.}, {"l/s", 1e-3}, {"ft^3/s", foot *foot *foot}};
+  const Units speed_units{
+      {"m/s", 1.}, {"cm/s", 1e-2}, {"ft/s", foot}, {"fps", foot}, {"km/h", 1. / 3.6}};
+  const Units discharge_units{{"m^3/s", 1.},
+                              {"m3/s", 1.},
+                              {"l/s", 1e-3},
+                              {"ft^3/s", foot *foot *foot},
+                              {"ft3/s", foot *foot *foot},
+                              {"cfs", foot *foot *foot}};
   const Units time_units{{"s", 1.}, {"min", 60.}, {"h", 3600.}};
   const Units power_units{{"W", 1.}, {"mW", 1e-3}};
 

@@ -39,20 +39,21 @@ namespace caudal::passage
 
     std::string print_percent(const double share)
     {
-      return print_number(100. * share) + " %";
+      return 0. < share && share < 1e-3 ? "less than 0.1 %" : print_number(100. * share) + " %";
     }
 
-    /** The largest factor on the velocities, from a hundredth to a hundred, that lets it pass. */
+    /** The largest factor on the velocities that lets it pass, from a hundredth on. */
     double find_velocity_factor(const Question &question, const Waterway &waterway,
                                 const double length, const double ability)
     {
       // Towards slower water: minus the logarithm grows.
-      const double limit  = std::log(100.);
-      const auto   factor = find_threshold(
+      const double velocity = waterway.compute_largest_velocity();
+      const double limit    = std::log(velocity > 0. ? std::max(100., 20. / velocity) : 100.);
+      const auto   factor   = find_threshold(
           [&](const double x) {
             return question.passes(waterway.scale_velocities(std::exp(-x)), length, ability);
           },
-          -limit, limit);
+          -limit, std::log(100.));
       return factor ? std::exp(-*factor) : 0.;
     }
 
@@ -75,9 +76,11 @@ namespace caudal::passage
                                             const double length)
     {
       std::vector<std::string> marks;
-      bool                     is_too_short = false, is_too_long = false;
-      std::string              short_bands, long_bands;
-      double                   shortest = 0., longest = 0.;
+      std::string              short_bands, slow_bands, long_bands;
+      const auto               add = [](std::string &bands, const std::string &name) {
+        bands += (bands.empty() ? "" : ", ") + name;
+      };
+      double shortest = 0., longest = 0.;
       for (std::size_t k = 0; k < verdict.bands.size(); ++k)
       {
         const Band          &band = get_bands()[k];
@@ -87,21 +90,22 @@ namespace caudal::passage
         shortest             = curve.get_shortest_duration();
         longest              = curve.get_longest_duration();
         if (ascent.shortest_endurance < shortest * (1. - 1e-9))
-        {
-          short_bands += (is_too_short ? ", " : "") + band.name;
-          is_too_short = true;
-        }
+          add(short_bands, band.name);
+        if (ascent.longest_endurance > longest * (1. + 1e-9))
+          add(slow_bands, band.name);
         if (ascent.longest_effort > longest)
-        {
-          long_bands += (is_too_long ? ", " : "") + band.name;
-          is_too_long = true;
-        }
+          add(long_bands, band.name);
       }
-      if (is_too_short)
+      if (!short_bands.empty())
         marks.push_back(
             "Some speeds on the way can be held for less than the " + print_number(shortest) +
             " s from which on there are data, and are extrapolated (" + short_bands + ").");
-      if (is_too_long)
+      if (!slow_bands.empty())
+        marks.push_back("Some speeds on the way can be held for more than the " +
+                        Patterns::Tools::to_string(longest) +
+                        " s up to which there are data, and are extrapolated (" + slow_bands +
+                        ").");
+      if (!long_bands.empty())
         marks.push_back("The way takes longer than the " + Patterns::Tools::to_string(longest) +
                         " s up to which there are data (" + long_bands + ").");
       return marks;

@@ -68,6 +68,9 @@ table "a missing velocity" 'distance,velocity,depth\n0,1,0.4\n10,,0.4\n'
 table "a word for a velocity" 'distance,velocity,depth\n0,1,0.4\n10,fast,0.4\n'
 table "centimetres a second" 'distance,velocity,depth\n0,100,0.4\n10,120,0.4\n'
 table "a unit in the header that the entry contradicts" 'distance,velocity [ft/s],depth\n0,3,0.4\n10,4,0.4\n'
+table "feet in the row of units below the header" 'distance,velocity,depth\n(m),(ft/s),(m)\n0,3,0.4\n10,4,0.4\n'
+table "no column of depths of that name" 'distance,velocity,depth\n0,1,0.4\n10,1,0.4\n' -D "Passage/Profile/Column of depth=Hydr Depth"
+table "a discharge that changes along the way" 'distance,velocity,discharge\n0,1,2\n20,1,2\n30,1,1\n50,1,1\n'
 table "a profile from downstream rows" 'distance,velocity,depth\n10,1,0.4\n0,1.2,0.4\n'
 table "depths that nobody knows" 'distance,velocity\n0,1\n10,1.2\n' -D "Fish/Minimum depth=0.2"
 table "one place only" 'distance,velocity\n0,1\n'
@@ -93,3 +96,5 @@ echo "answered, but marked:"
 for change in "Fish/Length=1.5" "Passage/Profile/Table=0, 1, 0.4; 10, 3.5, 0.3" "Passage/Profile/Table=0, 0.05, 1; 2000, 0.05, 1"; do
   "$CAUDAL" --check good.prm -D "$change" | sed -n "s|^Warning|  ${change%%=*}: warning|p"
 done
+"$CAUDAL" --check good.prm -D "Strategy/Type=constant ground speed" -D "Strategy/Constant ground speed/Speed=0.1" \
+  -D "Passage/Profile/Table=0, 0.1, 0.4; 10, 0.1, 0.3" | sed -n "s|^Warning|  a slow fish: warning|p"

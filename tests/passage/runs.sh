@@ -101,6 +101,16 @@ check "in uniform water the best ground speed is the best speed" "($(value "fati
 caudal reach.prm -D "Strategy/Type=constant ground speed" -D "Strategy/Constant ground speed/Speed=0.2"
 check "another one tires more" "$(value "fatigue of the median" reach) > $law"
 
+# Where no speed gets it on, it comes to the barrier with the speed that tires least up to there.
+caudal reach.prm -D "Strategy/Type=constant ground speed" -D "Passage/Profile/Table=0, 0.6, 0.4; 10, 0.6, 0.4; 10, 0.6, 0.1; 20, 0.6, 0.1" \
+  -D "Fish/Minimum depth=0.2"
+grep -o "The median fish finds.*" reach/verdict.txt
+
+# One that does not enter has a row of its way, too.
+caudal reach.prm -D "Passage/Profile/Table=0, 9, 0.4; 20, 9, 0.4"
+head -n 2 reach/way.csv
+grep -o "^On the way.*pass\." reach/verdict.txt
+
 # Power: a table of P = 2 U^3, and drag.
 printf 'speed,power\n0.5,0.25\n1,2\n' >power.csv
 caudal reach.prm -D Energy/Type=table -D Energy/Table/File=power.csv -D "Energy/Table/Meaning=a test"

@@ -68,6 +68,9 @@ namespace caudal::passage
     double time   = 0.; // [s] of the whole way, or up to where it can't get on
     double energy = 0.; // [J], likewise
 
+    /** Up to where there is a way, be the fish tired or not [m]. */
+    double reach = 0.;
+
     /** The water's velocity at that place [m/s]. */
     double velocity = 0.;
 

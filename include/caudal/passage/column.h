@@ -29,6 +29,12 @@ namespace caudal::passage
      */
     std::optional<std::size_t> find(const TextTable &table, const std::string &path) const;
 
+    /**
+     * find() of a column that may be missing: nothing if the entry is empty, or if it was left as
+     * it is and there is no such column; one that was named has to be there.
+     */
+    std::optional<std::size_t> find_optional(const TextTable &table, const std::string &path) const;
+
     /** find() of a column that has to be there: else throws with the names that are. */
     std::size_t require(const TextTable &table, const std::string &path) const;
 
@@ -47,7 +53,7 @@ namespace caudal::passage
     }
 
   private:
-    const std::string quantity;
+    const std::string quantity, preset_name;
     std::string       name;
     const Units      &units;
     std::string       unit;
@@ -62,8 +68,8 @@ namespace caudal::passage
                                                     const std::string &file, const Column &first,
                                                     const Column &second);
 
-  /** Removes a row of units in parentheses, which HEC-RAS puts behind the header. */
-  void remove_row_of_units(TextTable &table);
+  /** Moves a row of units in parentheses, which HEC-RAS puts below the header, into the header. */
+  void move_units_to_header(TextTable &table);
 } // namespace caudal::passage
 
 #endif
