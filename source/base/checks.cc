@@ -2,6 +2,8 @@
 #include <caudal/base/checks.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cctype>
@@ -23,6 +25,16 @@ namespace caudal
     text << std::setprecision(std::numeric_limits<double>::digits10) << path << ": the value is "
          << value << ". " << remedy;
     AssertThrow(false, ExcMessage(text.str()));
+  }
+
+  std::optional<double> read_unless_automatic(const std::string &path, const std::string &text,
+                                              const std::string &remedy)
+  {
+    if (text == "automatic")
+      return {};
+    AssertThrow(Patterns::Double().match(text),
+                ExcMessage(path + ": the value is <" + text + ">. " + remedy));
+    return Utilities::string_to_double(text);
   }
 
   void check_finite(const std::string &path, const double value, const std::string &remedy)

@@ -74,14 +74,10 @@ namespace caudal
       }
 
     private:
-      /** The curvature [1/m] at s/L and its rate, by a central difference. */
+      /** The curvature [1/m] at s/L and its rate. */
       Motion compute_bend(const double s, const double time) const
       {
-        const double increment = 1e-6;
-        const double value     = curvature->value(s, time);
-        const double rate =
-            (curvature->value(s, time + increment) - curvature->value(s, time - increment)) /
-            (2. * increment);
+        const double       value = curvature->value(s, time), rate = curvature->rate(s, time);
         const StartUpRamp &ramp = shared.ramp;
         return {ramp.value(time) * value, ramp.value(time) * rate + ramp.rate(time) * value};
       }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/fish/body_function.h>
 #include <caudal/fish/gait.h>
 
@@ -31,9 +32,7 @@ namespace caudal
       void check(const std::string &path) const override
       {
         BodyFunction(path + "/Function", "s,t", text).check_along();
-        AssertThrow(frequency >= 0.,
-                    ExcMessage(path + "/Frequency: the value is " + std::to_string(frequency) +
-                               ". Give a positive frequency [Hz], or 0."));
+        check_not_negative(path + "/Frequency", frequency, "Give a positive frequency [Hz], or 0.");
       }
 
       void set_up(const SharedGaitParameters &shared_parameters, const double length) override
@@ -55,19 +54,17 @@ namespace caudal
       std::vector<Motion> compute_shifts(const std::vector<double> &x,
                                          const double               argument) const override
       {
-        const double        rate = is_periodic() ? 2. * numbers::PI * frequency : 1.;
-        const double        time = argument / rate, increment = 1e-6;
-        const StartUpRamp  &ramp        = shared.ramp;
-        const double        growth      = ramp.duration > 0. ? ramp.value(time) : 1.;
-        const double        growth_rate = ramp.duration > 0. ? ramp.rate(time) : 0.;
+        const double        rate = get_argument_rate(frequency), time = argument / rate;
+        const StartUpRamp  &ramp = shared.ramp;
         std::vector<Motion> shifts;
         for (const double place : x)
         {
           const double s = place / length, value = displacement->value(s, time);
-          const double slope = (displacement->value(s, time + increment) -
-                                displacement->value(s, time - increment)) /
-                               (2. * increment);
-          shifts.push_back({growth * value, (growth * slope + growth_rate * value) / rate});
+          // At the phase of a periodic gait there is no start-up.
+          const double growth = is_periodic() ? 1. : ramp.value(time);
+          shifts.push_back(
+              {growth * value,
+               (growth * displacement->rate(s, time) + ramp.rate(time) * value) / rate});
         }
         return shifts;
       }

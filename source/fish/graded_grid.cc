@@ -3,8 +3,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,20 +10,6 @@ namespace caudal
 {
   namespace
   {
-    /** The zero of a function between @p a and @p b, where its signs differ. */
-    template <class Function>
-    double find_zero(const Function &f, const double a, const double b)
-    {
-      const auto [low, high] = boost::math::tools::bisect(
-          f, a, b, [](const double x, const double y) { return y - x <= 1e-14; });
-      return 0.5 * (low + high);
-    }
-
-    Point<2> interpolate(const Point<2> &a, const Point<2> &b, const double fraction)
-    {
-      return a + fraction * (b - a);
-    }
-
     /**
      * The grid of make_graded_grid() as lists of vertices and cells. It consists of columns of
      * cells between stations, and of a cap on the round nose: the outermost cells go round the
@@ -35,12 +19,13 @@ namespace caudal
     {
     public:
       GradedGrid(const Outline &outline, const double size,
-                 const std::vector<double> &region_boundaries)
+                 const std::vector<double> &region_boundaries, const std::string &path)
           : outline(outline)
           , size(size)
           , region_boundaries(region_boundaries)
       {
         choose_nose();
+        check_first_region(path, front, region_boundaries);
         add_stations();
         for (unsigned int i = 0; i + 1 < rows.size(); ++i)
           add_column(i);
@@ -72,7 +57,7 @@ namespace caudal
       /**
        * A layer round the nose is as thick in front of the core as beside it, and the core at
        * least half as wide as the layer. A nose that is too small for this has no cap: it is cut
-       * off where it is 0.4 elements thick.
+       * off where it is 0.4 elements thick, if it is so thick, or before.
        */
       void choose_nose()
       {
@@ -82,8 +67,11 @@ namespace caudal
         has_cap  = front > 0.5 * size;
         shoulder = front;
         if (!has_cap)
-          front = shoulder =
-              find_zero([&](const double s) { return get_thickness(s) - 0.4 * size; }, 0., front);
+        {
+          const double cut = std::min(0.4 * size, 0.5 * get_thickness(front));
+          front            = shoulder =
+              find_zero([&](const double s) { return get_thickness(s) - cut; }, 0., front);
+        }
         else
         {
           const double corner = outline.half_thickness(front) - front;
@@ -242,9 +230,10 @@ namespace caudal
   } // namespace
 
   void make_graded_grid(const Outline &outline, const double size,
-                        const std::vector<double> &region_boundaries, Triangulation<2> &tria)
+                        const std::vector<double> &region_boundaries, const std::string &path,
+                        Triangulation<2> &tria)
   {
-    GradedGrid grid(outline, size, region_boundaries);
+    GradedGrid grid(outline, size, region_boundaries, path);
     // A nose that ends in an edge keeps the body's length.
     double front = 1.;
     for (const Point<2> &vertex : grid.vertices)

@@ -4,8 +4,6 @@
 #include <caudal/fish/graded_grid.h>
 #include <caudal/fish/outline.h>
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +16,17 @@ namespace caudal
     return Point<2>(s - eta * h * slope, camber(s) + eta * h);
   }
 
+  void check_first_region(const std::string &path, const double nose_end,
+                          const std::vector<double> &region_boundaries)
+  {
+    require(region_boundaries.empty() || region_boundaries.front() > nose_end, path,
+            "Region boundaries",
+            "the first one lies within the round nose of the grid, which ends at " +
+                std::to_string(nose_end) + ". Give a larger fraction.");
+  }
+
   namespace
   {
-    Point<2> interpolate(const Point<2> &a, const Point<2> &b, const double fraction)
-    {
-      return a + fraction * (b - a);
-    }
-
     /**
      * The C-shaped grid round an outline's nose: the outermost layers of cells wrap round the
      * front of a core of cells. The core's front edge lies at the station @p core, and the
@@ -41,11 +43,6 @@ namespace caudal
           : n_layers(std::max(1u, n_across / 5))
           , n_core(n_across - 2 * n_layers)
       {
-        const auto find_zero = [](const auto &f, const double a, const double b) {
-          const auto [low, high] = boost::math::tools::bisect(
-              f, a, b, [](const double x, const double y) { return y - x <= 1e-14; });
-          return 0.5 * (low + high);
-        };
         AssertThrow(n_across >= 4, ExcMessage("A round nose needs four cells across."));
         const double eta = static_cast<double>(n_core) / n_across;
         core = find_zero([&](const double s) { return s - (1. - eta) * outline.half_thickness(s); },
@@ -165,29 +162,25 @@ namespace caudal
   void SlenderShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                                           const std::string &path) const
   {
-    const auto  outline    = make_outline();
-    const auto &boundaries = divisions.region_boundaries;
     if (divisions.is_automatic())
       return;
     require(divisions.elements[1] >= 4, path, "Elements",
             "there are " + std::to_string(divisions.elements[1]) +
                 " elements across the body. Give at least four: they wrap round the nose.");
-    const Nose nose(*outline, divisions.elements[1]);
-    require(boundaries.empty() || boundaries.front() > nose.core, path, "Region boundaries",
-            "the first one lies within the round nose of the grid, which ends at " +
-                std::to_string(nose.core) + ". Give a larger fraction.");
+    check_first_region(path, Nose(*make_outline(), divisions.elements[1]).core,
+                       divisions.region_boundaries);
   }
 
   template <int dim>
   void SlenderShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                                    const std::string &, Triangulation<dim>          &tria) const
+                                    const std::string &path, Triangulation<dim> &tria) const
   {
     if constexpr (dim == 2)
     {
       const auto outline = make_outline();
       if (divisions.is_automatic())
         make_graded_grid(*outline, divisions.spacing / lengths.length, divisions.region_boundaries,
-                         tria);
+                         path, tria);
       else
       {
         OutlineGrid grid(*outline, divisions);

@@ -93,13 +93,9 @@ namespace caudal
   std::optional<double> FluidParameters<dim>::get_grad_div() const
   {
     const std::string path = "Fluid/Grad-div stabilisation";
-    if (grad_div == "automatic")
-      return {};
-    AssertThrow(Patterns::Double().match(grad_div),
-                ExcMessage(path + ": the value is <" + grad_div +
-                           ">. Give automatic or a number [m^2/s]."));
-    const double value = Utilities::string_to_double(grad_div);
-    check_not_negative(path, value);
+    const auto value = read_unless_automatic(path, grad_div, "Give automatic or a number [m^2/s].");
+    if (value)
+      check_not_negative(path, *value);
     return value;
   }
 

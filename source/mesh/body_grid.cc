@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/patterns.h>
 
+#include <caudal/base/parameter_text.h>
 #include <caudal/mesh/body_grid.h>
 
 #include <algorithm>
@@ -17,13 +18,11 @@ namespace caudal
     prm.add_parameter(
         "Elements", elements,
         "automatic: elements 1.25 of the fluid's finest cells high at the surface (of degree 2: "
-        "2), "
-        "one across where the body is thinner than 1.6 of that. Or the number of elements along "
-        "and across "
-        "the body (3D: along, across, in the third direction); round and across the wall of ring; "
-        "of the flag alone. The round nose of "
-        "naca and eel and the round ends of stations add a few. Of disc, ellipse and ellipsoid "
-        "only the product counts: they get about that many elements.",
+        "2), one across where the body is thinner than 1.6 of that. Or the number of elements "
+        "along and across the body (3D: along, across, in the third direction); round and across "
+        "the wall of ring; of the flag alone. The round nose of naca and eel and the round ends of "
+        "stations add a few. Of disc, ellipse and ellipsoid only the product counts: they get "
+        "about that many elements.",
         Patterns::Anything());
     prm.add_parameter(
         "Position", position,
@@ -73,7 +72,7 @@ namespace caudal
                              "the length, without its ends."));
     AssertThrow(type.get_region_entry() != "" || divisions.is_automatic() ||
                     divisions.elements[0] > region_boundaries.size(),
-                ExcMessage(entries + "Elements: " + elements +
+                ExcMessage(entries + "Elements: " + std::to_string(divisions.elements[0]) +
                            " along the body are fewer than its " +
                            std::to_string(region_boundaries.size() + 1) +
                            " regions. Give one for each at least."));
@@ -88,16 +87,11 @@ namespace caudal
     GridDivisions divisions{{}, spacing, region_boundaries};
     if (has_automatic_elements())
       return divisions;
-    for (const std::string &text : Utilities::split_string_list(elements))
-    {
-      // Whole numbers may have an exponent.
-      const double value = Patterns::Double(1., 1e9).match(text) ? std::stod(text) : 0.;
-      divisions.elements.push_back(value == std::floor(value) ? std::lround(value) : 0);
-    }
-    AssertThrow(divisions.elements.size() == dim &&
-                    *std::min_element(divisions.elements.begin(), divisions.elements.end()) > 0,
+    const std::string numbers = write_out_whole_numbers(elements);
+    AssertThrow(Patterns::List(Patterns::Integer(1), dim, dim).match(numbers),
                 ExcMessage(path + "/Shape/Elements: the value is <" + elements + ">. Give " +
                            std::to_string(dim) + " numbers separated by commas, or automatic."));
+    divisions.elements = Patterns::Tools::Convert<std::vector<unsigned int>>::to_value(numbers);
     return divisions;
   }
 

@@ -31,7 +31,9 @@ namespace caudal
       void check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                            const std::string &path) const override
       {
-        require(divisions.is_automatic() || divisions.elements[0] >= 8, path, "Elements",
+        if (divisions.is_automatic())
+          return;
+        require(divisions.elements[0] >= 8, path, "Elements",
                 "there are " + std::to_string(divisions.elements[0]) +
                     " elements round the ring. Give at least eight.");
       }

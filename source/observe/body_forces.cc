@@ -71,22 +71,20 @@ namespace caudal
             statistics.set(name + ": force " + "xyz"[d] + cause, get_extensive_unit<dim>("N"),
                                      change[d] - force[d]);
         };
-        set(" of the fluid", body.get_resultant(state));
-        const auto moment =
-            angular_momenta[b].get_derivative() -
-            compute_moment(body.get_solid(), state.positions, body.compute_forces_on_fluid(state));
+        const Vector<double> on_fluid = body.compute_forces_on_fluid(state);
+        set(" of the fluid", sum_up(body.get_solid(), on_fluid));
+        const auto moment = angular_momenta[b].get_derivative() -
+                            compute_moment(body.get_solid(), state.positions, on_fluid);
         for (unsigned int k = 0; k < n_rotations; ++k)
           statistics.set(body.get_name() + ": moment" +
                              (dim == 2 ? "" : std::string(" ") + "xyz"[k]) + " of the fluid",
                          get_extensive_unit<dim>("N m"), moment[k]);
         if (!is_merely_held(body))
           return;
-        const Vector<double> forces = body.compute_force(
-            LoadAccount::feedback, body.get_motion(state, observation.time, observation.step));
-        Tensor<1, dim> sum;
-        for (const auto &node : body.get_solid().get_nodes())
-          sum += get_value(forces, node);
-        set(" by feedback", sum);
+        set(" by feedback",
+            sum_up(body.get_solid(),
+                   body.compute_force(LoadAccount::feedback,
+                                      body.get_motion(state, observation.time, observation.step))));
       }
 
       void exchange_state(StateArchive &archive) override

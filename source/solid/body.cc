@@ -93,7 +93,10 @@ namespace caudal
     if (!parameters.solid.traction.empty())
       loads.push_back(make_surface_load(solid));
     if (has_gait())
-      loads.push_back(make_gait_load(solid, *gait, parameters.gait_damping));
+    {
+      prescribed = std::make_unique<PrescribedMotion<dim>>(prescribe_nodes(solid, *gait));
+      loads.push_back(make_gait_load(solid, *prescribed, parameters.gait_damping));
+    }
   }
 
   template <int dim>
@@ -132,7 +135,7 @@ namespace caudal
     BodyState state;
     state.positions = solid.get_initial_positions();
     if (has_gait())
-      state.positions = compute_first_positions(solid, *gait);
+      state.positions = compute_first_positions(solid, *prescribed);
     state.old_positions = state.positions;
     for (Vector<double> *field : {&state.velocity, &state.old_velocity, &state.force_density})
       field->reinit(solid.n_dofs());
@@ -186,11 +189,7 @@ namespace caudal
   template <int dim>
   Tensor<1, dim> Body<dim>::get_resultant(const BodyState &state) const
   {
-    const Vector<double> forces = compute_forces_on_fluid(state);
-    Tensor<1, dim>       sum;
-    for (const auto &node : solid.get_nodes())
-      sum += get_value(forces, node);
-    return sum;
+    return sum_up(solid, compute_forces_on_fluid(state));
   }
 
   template <int dim>

@@ -243,18 +243,16 @@ namespace caudal
       const std::unique_ptr<Expression<dim>> traction;
     };
 
-    /** The body's nodes, each with its section. */
+    /** The rigid motion that lays a shape, given by the places of the nodes, over the body. */
     template <int dim>
-    std::vector<BodyPoint<dim>> get_points(const SolidBody<dim> &body)
+    RigidMotion<dim> lay_over(const SolidBody<dim> &body, const std::vector<Point<dim>> &shape,
+                              const Vector<double> &positions)
     {
-      std::vector<Point<dim>> places;
-      for (const auto &node : body.get_nodes())
-        places.push_back(body.get_reference_point(node[0]));
-      const auto                  ends = compute_lateral_ends(body.get_triangulation(), places);
-      std::vector<BodyPoint<dim>> points;
-      for (std::size_t p = 0; p < places.size(); ++p)
-        points.push_back({places[p], ends[p].first, ends[p].second});
-      return points;
+      const auto    &nodes = body.get_nodes();
+      Vector<double> field(body.n_dofs());
+      for (unsigned int n = 0; n < nodes.size(); ++n)
+        set_value(field, nodes[n], shape[n]);
+      return fit_rigid_motion(body, nodes, field, positions);
     }
 
     // Errors of the shape are worked off within so many steps.
@@ -264,9 +262,9 @@ namespace caudal
     class GaitLoad : public Load<dim>
     {
     public:
-      GaitLoad(const SolidBody<dim> &body, const Gait &gait, const double damping)
+      GaitLoad(const SolidBody<dim> &body, const PrescribedMotion<dim> &gait, const double damping)
           : Load<dim>(body, LoadAccount::gait)
-          , prescribed(gait, get_points(body))
+          , gait(gait)
           , damping(damping)
       {}
 
@@ -282,22 +280,19 @@ namespace caudal
       }
 
     private:
-      const PrescribedMotion<dim> prescribed; // of the nodes
-      const double                damping;
+      const PrescribedMotion<dim> &gait;
+      const double                 damping;
 
       Vector<double> compute_velocity(const BodyMotion &motion) const
       {
         const SolidBody<dim> &body        = this->body;
         const auto           &nodes       = body.get_nodes();
-        const auto            deformation = prescribed.compute(motion.time);
-        Vector<double>        shape(body.n_dofs()), result(body.n_dofs());
-        for (unsigned int n = 0; n < nodes.size(); ++n)
-          set_value(shape, nodes[n], deformation.positions[n]);
-        const auto fit = fit_rigid_motion(body, nodes, shape, motion.positions);
+        const auto            deformation = gait.compute(motion.time);
+        const auto            fit         = lay_over(body, deformation.positions, motion.positions);
+        Vector<double>        result(body.n_dofs());
         for (unsigned int n = 0; n < nodes.size(); ++n)
         {
-          const Tensor<1, dim> place =
-              fit.center + fit.rotation * (deformation.positions[n] - fit.reference_center);
+          const Tensor<1, dim> place = fit.apply(deformation.positions[n]);
           set_value(result, nodes[n],
                     fit.rotation * deformation.velocities[n] +
                         (place - get_value(motion.positions, nodes[n])) /
@@ -333,25 +328,35 @@ namespace caudal
   }
 
   template <int dim>
-  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
-                                            const double damping)
+  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim>        &body,
+                                            const PrescribedMotion<dim> &gait, const double damping)
   {
     return std::make_unique<GaitLoad<dim>>(body, gait, damping);
   }
 
   template <int dim>
-  Vector<double> compute_first_positions(const SolidBody<dim> &body, const Gait &gait)
+  PrescribedMotion<dim> prescribe_nodes(const SolidBody<dim> &body, const Gait &gait)
   {
-    const auto     shape = PrescribedMotion<dim>(gait, get_points(body)).compute(0.);
+    std::vector<Point<dim>> places;
+    for (const auto &node : body.get_nodes())
+      places.push_back(body.get_reference_point(node[0]));
+    const auto                  ends = compute_lateral_ends(body.get_triangulation(), places);
+    std::vector<BodyPoint<dim>> points;
+    for (std::size_t p = 0; p < places.size(); ++p)
+      points.push_back({places[p], ends[p].first, ends[p].second});
+    return PrescribedMotion<dim>(gait, points);
+  }
+
+  template <int dim>
+  Vector<double> compute_first_positions(const SolidBody<dim>        &body,
+                                         const PrescribedMotion<dim> &gait)
+  {
+    const auto     shape = gait.compute(0.).positions;
+    const auto     fit   = lay_over(body, shape, body.get_initial_positions());
     const auto    &nodes = body.get_nodes();
     Vector<double> positions(body.n_dofs());
     for (unsigned int n = 0; n < nodes.size(); ++n)
-      set_value(positions, nodes[n], shape.positions[n]);
-    // Laid over the straight body.
-    const auto fit = fit_rigid_motion(body, nodes, positions, body.get_initial_positions());
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      set_value(positions, nodes[n],
-                fit.center + fit.rotation * (shape.positions[n] - fit.reference_center));
+      set_value(positions, nodes[n], fit.apply(shape[n]));
     return positions;
   }
 
@@ -361,9 +366,11 @@ namespace caudal
   template std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &,                     \
                                                        const Muscle<dim> &);                       \
   template std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &);                   \
-  template std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &, const Gait &,         \
-                                                     double);                                      \
-  template Vector<double>             compute_first_positions(const SolidBody<dim> &, const Gait &);
+  template std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &,                       \
+                                                     const PrescribedMotion<dim> &, double);       \
+  template PrescribedMotion<dim>      prescribe_nodes(const SolidBody<dim> &, const Gait &);       \
+  template Vector<double>             compute_first_positions(const SolidBody<dim> &,              \
+                                                              const PrescribedMotion<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -16,6 +16,15 @@
 namespace caudal
 {
   template <int dim>
+  Tensor<1, dim> sum_up(const SolidBody<dim> &body, const Vector<double> &forces)
+  {
+    Tensor<1, dim> sum;
+    for (const auto &node : body.get_nodes())
+      sum += get_value(forces, node);
+    return sum;
+  }
+
+  template <int dim>
   SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const Surroundings &fluid)
       : parameters(parameters)
       , element(FE_Q<dim>(parameters.polynomial_degree), dim)
@@ -153,6 +162,7 @@ namespace caudal
   template <int dim>
   void SolidBody<dim>::assemble_coupling_mass()
   {
+    const double weight = parameters.get_surface_weight();
     coupling_mass.reinit(pattern);
     coupling_mass.copy_from(mass);
     std::array<unsigned int, dim> n_points;
@@ -174,8 +184,8 @@ namespace caudal
                 element.system_to_component_index(j).first)
               for (const unsigned int r : values.quadrature_point_indices())
                 coupling_mass.add(dofs[i], dofs[j],
-                                  parameters.get_surface_weight() * values.JxW(r) *
-                                      values.shape_value(i, r) * values.shape_value(j, r));
+                                  weight * values.JxW(r) * values.shape_value(i, r) *
+                                      values.shape_value(j, r));
       }
     }
     inverse_coupling_mass.initialize(coupling_mass);
@@ -291,6 +301,8 @@ namespace caudal
 
   template class SolidBody<2>;
   template class SolidBody<3>;
+  template Tensor<1, 2>          sum_up(const SolidBody<2> &, const Vector<double> &);
+  template Tensor<1, 3>          sum_up(const SolidBody<3> &, const Vector<double> &);
   template std::vector<Point<2>> get_cell_nodes<2>(const DoFHandler<2>::active_cell_iterator &,
                                                    const Vector<double> &);
   template std::vector<Point<3>> get_cell_nodes<3>(const DoFHandler<3>::active_cell_iterator &,

@@ -161,14 +161,12 @@ namespace caudal
   double SolidParameters<dim>::get_surface_weight() const
   {
     const std::string path = get_path() + "/Surface weight";
-    if (surface_weight == "automatic")
+    const auto        value =
+        read_unless_automatic(path, surface_weight, "Give automatic or a number, 0.3 for example.");
+    if (!value)
       return polynomial_degree == 1 ? 0.35 : 0.15;
-    AssertThrow(Patterns::Double().match(surface_weight),
-                ExcMessage(path + ": the value is <" + surface_weight +
-                           ">. Give automatic or a number, 0.3 for example."));
-    const double value = Utilities::string_to_double(surface_weight);
-    check_value(value >= 0 && value <= 2, path, value, "Give a number from 0 to 2.");
-    return value;
+    check_between(path, *value, 0., 2., "Give a number from 0 to 2.");
+    return *value;
   }
 
   template struct MaterialParameters<2>;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/base/print.h>
 #include <caudal/viscous/body_resolution.h>
 
 #include <algorithm>
@@ -51,15 +50,6 @@ namespace caudal
       result.share_too_high = high_area / area;
     }
   } // namespace
-
-  template <int dim>
-  std::string print_place(const Point<dim> &place)
-  {
-    std::string text;
-    for (unsigned int d = 0; d < dim; ++d)
-      text += (d > 0 ? ", " : "") + print_rounded(place[d]);
-    return text;
-  }
 
   template <int dim>
   BodyResolution<dim> measure_resolution(const Body<dim> &body, const DomainParameters<dim> &domain)
@@ -121,7 +111,6 @@ namespace caudal
   }
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::string         print_place(const Point<dim> &);                                    \
   template BodyResolution<dim> measure_resolution(const Body<dim> &,                               \
                                                   const DomainParameters<dim> &);                  \
   template void                check_resolution(const Operators<dim> &);

@@ -3,6 +3,7 @@
 
 #include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/print.h>
 #include <caudal/fluid/boundary_flux.h>
 #include <caudal/io/progress.h>
 #include <caudal/observe/tail_beats.h>

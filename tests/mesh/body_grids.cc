@@ -32,14 +32,15 @@ struct ShapeFromEntries : BodyGridParameters<dim>
 };
 
 template <int dim>
-void report(const std::string &name, const Entries &entries, const double volume)
+void report(const std::string &name, const Entries &entries, const double volume,
+            const double spacing = dim == 2 ? 0.01 : 0.05)
 {
   const ShapeFromEntries<dim> parameters(entries);
   const unsigned int          n_regions = parameters.shape.type.get().get_region_entry() != ""
                                               ? 2
                                               : parameters.region_boundaries.size() + 1;
   Triangulation<dim>          tria;
-  make_body_grid(tria, parameters, 0.01, std::vector<std::string>(n_regions, "x"), "Body x");
+  make_body_grid(tria, parameters, spacing, std::vector<std::string>(n_regions, "x"), "Body x");
   AssertThrow(tria.get_boundary_ids() == std::vector<types::boundary_id>(1, 0),
               ExcMessage("All boundary ids should be 0."));
 
@@ -71,7 +72,10 @@ void report_shapes()
             4. * naca_area);
   report<2>("naca 6412 against 0012", {{"Region boundaries", "0.5, 0.96"}, {"Naca/Digits", "6412"}},
             naca_area);
-  report<2>("eel", {{"Type", "eel"}}, numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05);
+  const double eel_area = numbers::PI / 2. * 0.04 * 0.04 + 0.05 * 0.91 + 0.01 * 0.05;
+  report<2>("eel", {{"Type", "eel"}}, eel_area);
+  report<2>("eel in large cells", {{"Type", "eel"}}, eel_area, 0.1);
+  report<2>("eel in cells that are far too large", {{"Type", "eel"}}, eel_area, 1.);
   report<2>("disc", {{"Type", "disc"}}, numbers::PI * 0.01);
   report<2>("disc, coarse, halves",
             {{"Type", "disc"}, {"Elements", "20, 20"}, {"Region boundaries", "0.5"}},
@@ -90,6 +94,7 @@ void report_shapes()
             numbers::PI * 0.0025 + root - gap);
   report<2>("ellipse", {{"Type", "ellipse"}, {"Thickness", "0.4"}}, numbers::PI * 0.1);
   report<2>("ring", {{"Type", "ring"}, {"Elements", "60, 4"}}, numbers::PI * (0.15 * 0.15 - 0.01));
+  report<2>("ring, automatic", {{"Type", "ring"}}, numbers::PI * (0.15 * 0.15 - 0.01));
   report<2>("beam", {{"Type", "beam"}, {"Elements", "33, 2"}, {"Region boundaries", "0.25, 0.9"}},
             0.1);
   report<2>("rectangle", {{"Type", "rectangle"}}, 0.1);
@@ -149,6 +154,10 @@ void print_bad_input()
   print_error("naca", {{"Naca/Digits", "2012"}});
   print_error("naca", {{"Elements", "100, 3"}});
   print_error("naca", {{"Region boundaries", "0.001"}}, 2);
+  print_error("naca", {{"Region boundaries", "0.001"}, {"Elements", "100, 8"}}, 2);
+  print_error("naca", {{"Elements", "100"}});
+  print_error("naca", {{"Elements", "many"}});
+  print_error("naca", {{"Elements", "1e2, 0.5"}});
   print_error("eel", {{"Region boundaries", "0.5, 0.2"}}, 3);
   print_error("eel", {{"Region boundaries", "0.5"}}, 3);
   print_error("disc", {{"Radius", "0"}});

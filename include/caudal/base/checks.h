@@ -2,6 +2,7 @@
 #ifndef caudal_base_checks_h
 #define caudal_base_checks_h
 
+#include <optional>
 #include <string>
 
 namespace caudal
@@ -21,6 +22,13 @@ namespace caudal
 
   void check_not_negative(const std::string &path, double value,
                           const std::string &remedy = "Give 0 or a positive number.");
+
+  /**
+   * The number that an entry gives, or nothing if it says `automatic`; throws a sentence with
+   * @p remedy, "Give automatic or a number [m^2/s].", if it is neither.
+   */
+  std::optional<double> read_unless_automatic(const std::string &path, const std::string &text,
+                                              const std::string &remedy);
 
   /**
    * Checks a @p name that the user gives, which becomes part of the names of files, sections and

@@ -2,6 +2,8 @@
 #ifndef caudal_base_print_h
 #define caudal_base_print_h
 
+#include <deal.II/base/point.h>
+
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -14,6 +16,16 @@ namespace caudal
     std::ostringstream text;
     text << std::setprecision(3) << value;
     return text.str();
+  }
+
+  /** A place as sentences say it: "0.2, 0.5". */
+  template <int dim>
+  std::string print_place(const dealii::Point<dim> &place)
+  {
+    std::string text;
+    for (unsigned int d = 0; d < dim; ++d)
+      text += (d > 0 ? ", " : "") + print_rounded(place[d]);
+    return text;
   }
 } // namespace caudal
 

@@ -18,6 +18,13 @@ namespace caudal
       return value(Point<2>(first, second));
     }
 
+    /** Its derivative by the second variable, the time, by a central difference. */
+    double rate(const double first, const double time) const
+    {
+      const double increment = 1e-6;
+      return (value(first, time + increment) - value(first, time - increment)) / (2. * increment);
+    }
+
     /** Throws unless it is finite at some places along the body. */
     void check_along() const
     {

@@ -12,10 +12,12 @@ namespace caudal
    * it is thicker, which changes by two from one column to the next. At the surface they are
    * 0.64 to 1 @p size high wherever the thickness allows it, as the coupling to the fluid asks
    * for. Region boundaries are grid lines across the body; the material ids are the numbers of the
-   * regions. The area is that of the outline.
+   * regions. The area is that of the outline. Throws a sentence if the first region ends within
+   * the grid's nose; @p path is that of section `Shape`.
    */
   void make_graded_grid(const Outline &outline, double size,
-                        const std::vector<double> &region_boundaries, Triangulation<2> &tria);
+                        const std::vector<double> &region_boundaries, const std::string &path,
+                        Triangulation<2> &tria);
 } // namespace caudal
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <caudal/mesh/shape.h>
 
+#include <boost/math/tools/roots.hpp>
+
 namespace caudal
 {
   /**
@@ -35,6 +37,25 @@ namespace caudal
     /** The point (s, c(s)) + eta h(s) n(s); the outline itself is eta = -1 and eta = 1. */
     Point<2> point(double s, double eta) const;
   };
+
+  /** The zero of a function between @p a and @p b, where it has different signs. */
+  template <class Function>
+  double find_zero(const Function &f, const double a, const double b)
+  {
+    const auto [low, high] = boost::math::tools::bisect(
+        f, a, b, [](const double x, const double y) { return y - x <= 1e-14; });
+    return 0.5 * (low + high);
+  }
+
+  /** Throws if the first region ends within the nose of a grid, which ends at @p nose_end. */
+  void check_first_region(const std::string &path, double nose_end,
+                          const std::vector<double> &region_boundaries);
+
+  /** The point at the share @p fraction of the way from @p a to @p b. */
+  inline Point<2> interpolate(const Point<2> &a, const Point<2> &b, const double fraction)
+  {
+    return a + fraction * (b - a);
+  }
 
   /**
    * The shapes inside an Outline, which are plane. Their grids are n_along times n_across

@@ -189,8 +189,10 @@ namespace caudal
   std::vector<double> compute_columns(double first, const std::vector<double> &region_boundaries,
                                       unsigned int n_columns);
 
-  /** Scales the grid about the origin so that it has this volume: a polygon is less than its
-   * circle. */
+  /**
+   * Scales the grid about the origin so that it has this volume: a polygon inscribed in a circle
+   * has less.
+   */
   template <int dim>
   void scale_to_volume(Triangulation<dim> &tria, double volume);
 

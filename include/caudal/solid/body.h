@@ -35,7 +35,6 @@ namespace caudal
   class Body
   {
   public:
-    /** @p fluid_density is the density rho that the body shares with the fluid. */
     Body(const BodyParameters<dim> &parameters, const Surroundings &fluid);
 
     /** Grid, materials and matrices. */
@@ -152,6 +151,7 @@ namespace caudal
     const BodyExtent<dim>                   extent;
     std::unique_ptr<Muscle<dim>>            muscle;
     std::unique_ptr<Gait>                   gait;
+    std::unique_ptr<PrescribedMotion<dim>>  prescribed; // of the nodes; null without a gait
     std::unique_ptr<Controller>             controller;
     std::vector<std::unique_ptr<Load<dim>>> loads;
     unsigned int                            lateral_point = 0;

@@ -90,17 +90,23 @@ namespace caudal
   std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &body);
 
   /**
-   * int eta (V - U).N ds, V the velocity that the @p gait asks for, up to the velocity of the
-   * body's frame, which the step's equations add: the deformation velocity of the prescribed shape,
-   * laid over the body by a rotation and a translation, plus its distance from X over ten steps.
+   * int eta (V - U).N ds, V the velocity that the @p gait of the nodes asks for, up to the velocity
+   * of the body's frame, which the step's equations add: the deformation velocity of the prescribed
+   * shape, laid over the body by a rotation and a translation, plus its distance from X over ten
+   * steps.
    */
   template <int dim>
-  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim> &body, const Gait &gait,
-                                            double damping);
+  std::unique_ptr<Load<dim>> make_gait_load(const SolidBody<dim>        &body,
+                                            const PrescribedMotion<dim> &gait, double damping);
 
-  /** The nodal positions of the shape that the @p gait starts with, where the body is at first. */
+  /** The motion that the @p gait prescribes to the body's nodes. */
   template <int dim>
-  Vector<double> compute_first_positions(const SolidBody<dim> &body, const Gait &gait);
+  PrescribedMotion<dim> prescribe_nodes(const SolidBody<dim> &body, const Gait &gait);
+
+  /** The nodal positions of the shape that a @p gait starts with, laid over the straight body. */
+  template <int dim>
+  Vector<double> compute_first_positions(const SolidBody<dim>        &body,
+                                         const PrescribedMotion<dim> &gait);
 } // namespace caudal
 
 #endif

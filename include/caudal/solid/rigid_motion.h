@@ -16,6 +16,12 @@ namespace caudal
   {
     Tensor<2, dim> rotation;
     Tensor<1, dim> reference_center, center;
+
+    /** Where the motion takes the place @p s. */
+    Tensor<1, dim> apply(const Tensor<1, dim> &s) const
+    {
+      return center + rotation * (s - reference_center);
+    }
   };
 
   /**

@@ -34,6 +34,13 @@ namespace caudal
   std::vector<Point<dim>> get_cell_nodes(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                          const Vector<double> &positions);
 
+  template <int dim>
+  class SolidBody;
+
+  /** The sum of nodal forces. */
+  template <int dim>
+  Tensor<1, dim> sum_up(const SolidBody<dim> &body, const Vector<double> &forces);
+
   template <std::size_t dim>
   void set_value(Vector<double> &field, const std::array<unsigned int, dim> &node,
                  const Tensor<1, static_cast<int>(dim)> &value)

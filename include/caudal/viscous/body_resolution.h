@@ -17,10 +17,6 @@ namespace caudal
     Tensor<1, dim> direction; // in the domain
   };
 
-  /** A place as sentences say it: "0.2, 0.5". */
-  template <int dim>
-  std::string print_place(const Point<dim> &place);
-
   /** The height of the body's element at a face of its surface, in the fluid's finest cells. */
   template <int dim>
   struct LayerHeight
