@@ -88,6 +88,9 @@ namespace caudal
     /** The present name of what once was @p path, if @p renamed is about it. */
     std::optional<std::string> find_new_path(const std::string &path, const RenamedEntry &renamed)
     {
+      // Most names fail here, and making a pattern takes long.
+      if (path.rfind(renamed.old_path.substr(0, renamed.old_path.find('*')), 0) != 0)
+        return {};
       std::smatch match;
       if (!std::regex_match(path, match, make_pattern(renamed.old_path)))
         return {};

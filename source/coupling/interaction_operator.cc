@@ -115,8 +115,6 @@ namespace caudal
     /** Ends a body cell: turns its blocks into entries, resolving the constraints. */
     void finish_cell(const std::vector<types::global_dof_index> &body_indices)
     {
-      // What a velocity unknown depends on: its masters if it is constrained, or itself.
-      std::vector<std::pair<types::global_dof_index, double>> own{{0, 1.}};
       for (const auto &[coordinates, block] : blocks)
         if (block.cell != nullptr)
         {
@@ -125,21 +123,22 @@ namespace caudal
           for (unsigned int component = 0; component < dim; ++component)
             for (unsigned int s = 0; s < n_s; ++s)
             {
-              const auto   index = indices[element.component_to_system_index(component, s)];
-              const bool   is_constrained = constraints.is_constrained(index);
-              const double constant = is_constrained ? constraints.get_inhomogeneity(index) : 0;
-              own[0].first          = index;
-              const auto &masters =
-                  is_constrained ? *constraints.get_constraint_entries(index) : own;
+              const auto    index = indices[element.component_to_system_index(component, s)];
+              const bool    is_constrained = constraints.is_constrained(index);
               const double *value =
                   block.values.data() + (n_kernels == 1 ? 0 : component) * n_nodes * n_s + s;
               for (unsigned int a = 0; a < n_nodes; ++a, value += n_s)
               {
                 const unsigned int row =
                     body_indices[body_element.component_to_system_index(component, a)];
-                for (const auto &[master, factor] : masters)
-                  entries.push_back({row, master, factor * *value});
-                inhomogeneity[row] += constant * *value;
+                if (!is_constrained)
+                  entries.push_back({row, index, *value});
+                else
+                {
+                  for (const auto &[master, factor] : *constraints.get_constraint_entries(index))
+                    entries.push_back({row, master, factor * *value});
+                  inhomogeneity[row] += constraints.get_inhomogeneity(index) * *value;
+                }
               }
             }
         }

@@ -80,6 +80,8 @@ namespace caudal
     nose.turn_by_c_rate.resize(has_rates ? n : 0);
     nose.position_by_c_rate.resize(has_rates ? n : 0);
     std::vector<SpinePoint> left_ends(1, nose), result;
+    left_ends.reserve(n_intervals);
+    result.reserve(intervals.size());
     for (unsigned int k = 1; k < n_intervals; ++k)
     {
       left_ends.push_back(left_ends.back());

@@ -71,6 +71,28 @@ namespace caudal
   }
 
   template <int dim>
+  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity)
+  {
+    const FESystem<dim> &element = space.velocity_element;
+    const unsigned int   n = element.n_dofs_per_cell(), n_s = n / dim;
+    Vector<double>       values(n), scalar(n_s), product(n_s);
+    double               energy = 0;
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        cell->get_dof_values(velocity, values);
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          for (unsigned int s = 0; s < n_s; ++s)
+            scalar[s] = values[element.component_to_system_index(d, s)];
+          space.get_cell_matrices(cell->level()).get_mass().vmult(product, scalar);
+          energy += 0.5 * space.get_parameters().density * (scalar * product);
+        }
+      }
+    return Utilities::MPI::sum(energy, space.get_communicator());
+  }
+
+  template <int dim>
   double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
                                            const FieldVector &velocity, const double rate)
   {
@@ -93,6 +115,7 @@ namespace caudal
 #define INSTANTIATE(dim)                                                                           \
   template struct FluidState<dim>;                                                                 \
   template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
+  template double           compute_kinetic_energy(const FluidSpace<dim> &, const FieldVector &);  \
   template double compute_stabilisation_dissipation(const FluidSpace<dim> &, const FieldVector &,  \
                                                     double);
   INSTANTIATE(2)

@@ -89,56 +89,92 @@ namespace caudal::ideal
    * minus int phi u.N: what one rule adds for the nodes that use it, through the places y,
    * elements N and fluxes w = u.N of its points.
    */
+  CAUDAL_WIDE_VECTORS
   void ExteriorFlow::differentiate_rule(const unsigned int cell, const unsigned int number,
                                         const std::vector<unsigned int> &observers,
                                         const NodalFlow &flow, const Vector<double> &adjoint,
                                         NodalGradient &gradient) const
   {
-    const PlacedRule &rule  = placed.get_rule(cell, number);
-    const auto       &nodes = surface.get_nodes(cell);
-    const bool        has_energy =
+    const PlacedRule      &rule      = placed.get_rule(cell, number);
+    const ReferenceRule   &reference = rule.get_reference();
+    const auto            &nodes     = surface.get_nodes(cell);
+    const unsigned int     n         = rule.size();
+    ReferenceRule::Numbers phi;
+    ReferenceRule::Vectors u;
+    reference.interpolate(ReferenceRule::value, extract_cell(flow.potential, nodes), phi.data());
+    reference.interpolate(ReferenceRule::value, extract_cell(flow.velocity, nodes), u);
+    const ReferenceRule::Numbers w = rule.compute_fluxes(u);
+
+    const bool has_energy =
         number == PlacedSurface::regular && Utilities::MPI::this_mpi_process(communicator) == 0;
-    for (unsigned int q = 0; q < rule.points.size(); ++q)
+    ReferenceRule::Numbers by_w;
+    ReferenceRule::Vectors by_y, by_N;
+    for (unsigned int q = 0; q < n; ++q)
     {
-      const Point<3>     &y   = rule.points[q];
-      const Tensor<1, 3> &N   = rule.areas[q];
-      const auto         &N_k = rule.reference->values[q];
-      double              phi = 0.;
-      Tensor<1, 3>        u;
-      for (unsigned int k = 0; k < nodes.size(); ++k)
+      by_w[q] = has_energy ? -phi[q] : 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        by_y[d][q] = by_N[d][q] = 0.;
+    }
+    const double *const y_0 = rule.get_points(0), *const y_1 = rule.get_points(1),
+                        *const y_2 = rule.get_points(2);
+    const double *const N_0 = rule.get_areas(0), *const N_1 = rule.get_areas(1),
+                        *const N_2 = rule.get_areas(2);
+    for (const unsigned int node : observers)
+    {
+      const Point<3>        &x      = motion.positions[node];
+      const double           lambda = adjoint(node), phi_x = flow.potential(node);
+      ReferenceRule::Vectors by_r;
+#pragma omp simd
+      for (unsigned int q = 0; q < n; ++q)
       {
-        phi += N_k[k] * flow.potential(nodes[k]);
-        u += N_k[k] * flow.velocity[nodes[k]];
-      }
-      const double w    = u * N;
-      double       by_w = has_energy ? -phi : 0.;
-      Tensor<1, 3> by_y, by_N;
-      for (const unsigned int node : observers)
-      {
-        const double        lambda  = adjoint(node);
-        const Tensor<1, 3>  r       = y - motion.positions[node];
-        const LaplaceKernel kernel  = evaluate_laplace_kernel(r, N);
-        const double        inverse = 1. / r.norm_square();
-        const double        jump    = lambda * (phi - flow.potential(node));
+        const double        r_0 = y_0[q] - x[0], r_1 = y_1[q] - x[1], r_2 = y_2[q] - x[2];
+        const LaplaceKernel kernel = evaluate_laplace_kernel(r_0, r_1, r_2, N_0[q], N_1[q], N_2[q]);
+        const double        inverse = 1. / (r_0 * r_0 + r_1 * r_1 + r_2 * r_2);
+        const double        jump    = lambda * (phi[q] - phi_x);
         const double        along_N = jump * kernel.single_layer * inverse;
         const double        along_r =
-            inverse * (3. * jump * kernel.double_layer - lambda * w * kernel.single_layer);
-        const Tensor<1, 3> by_r = along_N * N + along_r * r;
-        by_y += by_r;
-        gradient.place[node] -= by_r;
-        by_N += along_N * r;
-        by_w += lambda * kernel.single_layer;
+            inverse * (3. * jump * kernel.double_layer - lambda * w[q] * kernel.single_layer);
+        by_y[0][q] += by_r[0][q] = along_N * N_0[q] + along_r * r_0;
+        by_y[1][q] += by_r[1][q] = along_N * N_1[q] + along_r * r_1;
+        by_y[2][q] += by_r[2][q] = along_N * N_2[q] + along_r * r_2;
+        by_N[0][q] += along_N * r_0;
+        by_N[1][q] += along_N * r_1;
+        by_N[2][q] += along_N * r_2;
+        by_w[q] += lambda * kernel.single_layer;
       }
-      // N = weight X_x x X_y, and w = u.N
-      by_N                      = rule.reference->weights[q] * (by_N + by_w * u);
-      const auto [X_x, X_y]     = rule.compute_tangents(placed.get_nodes(cell), q);
-      const Tensor<1, 3> by_X_x = cross_product_3d(X_y, by_N);
-      const Tensor<1, 3> by_X_y = cross_product_3d(by_N, X_x);
+      for (unsigned int q = 0; q < n; ++q)
+        for (unsigned int d = 0; d < 3; ++d)
+          gradient.place[node][d] -= by_r[d][q];
+    }
+
+    // N = weight X_x x X_y, and w = u.N
+    ReferenceRule::Vectors X_x, X_y;
+    reference.interpolate(ReferenceRule::x_derivative, placed.get_nodes(cell), X_x);
+    reference.interpolate(ReferenceRule::y_derivative, placed.get_nodes(cell), X_y);
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int q = 0; q < n; ++q)
+        by_N[d][q] = reference.get_weights()[q] * (by_N[d][q] + by_w[q] * u[d][q]);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const unsigned int     e = (d + 1) % 3, f = (d + 2) % 3;
+      const double *const    N = rule.get_areas(d);
+      ReferenceRule::Numbers by_X_x, by_X_y, by_u;
+#pragma omp simd
+      for (unsigned int q = 0; q < n; ++q)
+      {
+        by_X_x[q] = X_y[e][q] * by_N[f][q] - X_y[f][q] * by_N[e][q];
+        by_X_y[q] = by_N[e][q] * X_x[f][q] - by_N[f][q] * X_x[e][q];
+        by_u[q]   = by_w[q] * N[q];
+      }
+      CellArray<double> place{}, velocity{};
+      reference.add_sums(ReferenceRule::value, by_y[d], place);
+      reference.add_sums(ReferenceRule::x_derivative, by_X_x, place);
+      reference.add_sums(ReferenceRule::y_derivative, by_X_y, place);
+      reference.add_sums(ReferenceRule::value, by_u, velocity);
       for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const Tensor<1, 2> &gradient_k = rule.reference->gradients[q][k];
-        gradient.place[nodes[k]] += N_k[k] * by_y + gradient_k[0] * by_X_x + gradient_k[1] * by_X_y;
-        gradient.velocity[nodes[k]] += N_k[k] * by_w * N;
+        gradient.place[nodes[k]][d] += place[k];
+        gradient.velocity[nodes[k]][d] += velocity[k];
       }
     }
   }

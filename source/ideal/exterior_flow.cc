@@ -12,24 +12,35 @@ namespace caudal::ideal
     /** Integrals of kernels over a cell for each of its shape functions N_k. */
     struct KernelIntegrals
     {
-      CellArray<double>       double_layer{}; ///< int N_k dG/dn_y dS [1]
-      CellArray<Tensor<1, 3>> single_layer{}; ///< int N_k G n dS [m]
+      CellArray<double>                double_layer{}; ///< int N_k dG/dn_y dS [1]
+      std::array<CellArray<double>, 3> single_layer{}; ///< int N_k G n dS by coordinate [m]
     };
 
     /** Adds the integrals by @p rule as seen from @p x. */
+    CAUDAL_WIDE_VECTORS
     void add_integrals(const PlacedRule &rule, const Point<3> &x, KernelIntegrals &integrals)
     {
-      for (unsigned int q = 0; q < rule.points.size(); ++q)
+      const double *const y_x = rule.get_points(0), *const y_y = rule.get_points(1),
+                          *const y_z = rule.get_points(2);
+      const double *const N_x = rule.get_areas(0), *const N_y = rule.get_areas(1),
+                          *const N_z = rule.get_areas(2);
+      const double               x_x = x[0], x_y = x[1], x_z = x[2];
+      ReferenceRule::Numbers     double_layer;
+      ReferenceRule::Vectors     single_layer;
+#pragma omp simd
+      for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const LaplaceKernel kernel = evaluate_laplace_kernel(rule.points[q] - x, rule.areas[q]);
-        const Tensor<1, 3>  single = kernel.single_layer * rule.areas[q];
-        const auto         &N      = rule.reference->values[q];
-        for (unsigned int k = 0; k < N.size(); ++k)
-        {
-          integrals.double_layer[k] += N[k] * kernel.double_layer;
-          integrals.single_layer[k] += N[k] * single;
-        }
+        const LaplaceKernel kernel = evaluate_laplace_kernel(y_x[q] - x_x, y_y[q] - x_y,
+                                                             y_z[q] - x_z, N_x[q], N_y[q], N_z[q]);
+        double_layer[q]            = kernel.double_layer;
+        single_layer[0][q]         = kernel.single_layer * N_x[q];
+        single_layer[1][q]         = kernel.single_layer * N_y[q];
+        single_layer[2][q]         = kernel.single_layer * N_z[q];
       }
+      const ReferenceRule &reference = rule.get_reference();
+      reference.add_sums(ReferenceRule::value, double_layer, integrals.double_layer);
+      for (unsigned int d = 0; d < 3; ++d)
+        reference.add_sums(ReferenceRule::value, single_layer[d], integrals.single_layer[d]);
     }
 
     /** Whether the surface and its modes are mirror images of themselves, z -> -z. */
@@ -141,7 +152,8 @@ namespace caudal::ideal
         for (unsigned int i = 0; i < nodes.size(); ++i)
         {
           double_layer[nodes[i]] += integrals.double_layer[i];
-          single_layer[nodes[i]] += integrals.single_layer[i];
+          for (unsigned int d = 0; d < 3; ++d)
+            single_layer[nodes[i]][d] += integrals.single_layer[d][i];
         }
       }
       // phi(x) is subtracted from all phi(y), and so has no part in the double layer itself.
@@ -187,21 +199,22 @@ namespace caudal::ideal
     fluxes.reinit(surface.n_nodes(), n_motions);
     for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
     {
-      const PlacedRule &rule  = placed.get_rule(cell, PlacedSurface::regular);
-      const auto       &nodes = surface.get_nodes(cell);
-      for (unsigned int q = 0; q < rule.points.size(); ++q)
+      const PlacedRule      &rule  = placed.get_rule(cell, PlacedSurface::regular);
+      const auto            &nodes = surface.get_nodes(cell);
+      ReferenceRule::Vectors u;
+      CellArray<double>      sums;
+      for (unsigned int l = 0; l < n_motions; ++l)
       {
-        const auto &N = rule.reference->values[q];
-        for (unsigned int l = 0; l < n_motions; ++l)
-        {
-          Tensor<1, 3> velocity;
-          for (unsigned int k = 0; k < nodes.size(); ++k)
-            velocity += N[k] * velocities[l][nodes[k]];
-          for (unsigned int k = 0; k < nodes.size(); ++k)
-            fluxes(nodes[k], l) += N[k] * (velocity * rule.areas[q]);
-        }
-        potentials.volume += rule.points[q] * rule.areas[q] / 3.;
+        rule.get_reference().interpolate(ReferenceRule::value, extract_cell(velocities[l], nodes),
+                                         u);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          sums[k] = fluxes(nodes[k], l);
+        rule.get_reference().add_sums(ReferenceRule::value, rule.compute_fluxes(u), sums);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          fluxes(nodes[k], l) = sums[k];
       }
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        potentials.volume += rule.get_point(q) * rule.get_area(q) / 3.;
     }
     FullMatrix<double> &mass = potentials.added_mass;
     mass.reinit(n_motions, n_motions);

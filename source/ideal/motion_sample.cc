@@ -17,25 +17,26 @@ namespace caudal::ideal
   {
     StrokeModel      &model = *problem.model;
     const double      rate = problem.rate, argument = rate * time;
-    const StrokeState state = model.compute_state(argument);
+    const StrokeState state      = model.compute_state(argument);
+    const StrokeState state_rate = model.compute_state_rate(argument);
     MotionSample      sample;
     sample.time        = time;
     sample.body        = body;
     sample.coordinates = state.c;
     sample.velocity    = state.motion.compute_velocity(body.impulse, rate);
 
-    const Screw &q = sample.velocity;
-    sample.centre  = body.position + body.rotate(state.centre);
-    sample.centre_velocity =
-        body.rotate(get_linear(q) + cross_product_3d(get_angular(q), state.centre) +
-                    rate * model.compute_state_rate(argument).centre);
+    const Screw &q         = sample.velocity;
+    sample.centre          = body.position + body.rotate(state.centre);
+    sample.centre_velocity = body.rotate(
+        get_linear(q) + cross_product_3d(get_angular(q), state.centre) + rate * state_rate.centre);
     sample.energy = 0.5 * (q * (state.motion.mass * q)) + rate * (q * state.motion.momentum) +
                     rate * rate * state.deformation_energy;
     if (has_torques)
     {
       const Load load = problem.force({argument, rate, q});
-      sample.torques  = model.compute_torques(
-           argument, {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
+      sample.torques =
+          compute_torques(state, state_rate,
+                          {rate, body.impulse, compute_impulse_rate(body.impulse, q, load.screw)});
       for (std::size_t i = 0; i < sample.torques.size(); ++i)
       {
         if (!load.on_modes.empty())

@@ -43,22 +43,20 @@ namespace caudal::ideal
   PlacedSurface::Geometry PlacedSurface::make_geometry(const unsigned int           cell,
                                                        const std::vector<Point<3>> &nodes) const
   {
-    Geometry geometry;
-    for (unsigned int k = 0; k < geometry.nodes.size(); ++k)
-      geometry.nodes[k] = nodes[surface.get_nodes(cell)[k]];
-    geometry.ball = make_ball(geometry.nodes, CellPart());
-    return geometry;
+    const CellArray<Point<3>> cell_nodes = extract_cell(nodes, surface.get_nodes(cell));
+    return {cell_nodes, make_ball(cell_nodes, CellPart()), {}};
   }
 
   PlacedSurface::Ball PlacedSurface::make_ball(const CellArray<Point<3>> &nodes,
                                                const CellPart            &part) const
   {
-    const auto  points = PlacedRule(rules.get(ReferenceRules::outline, part), nodes).points;
-    const auto &centre = points[4];
-    double      radius = 0.;
-    for (const Point<3> &point : points)
-      radius = std::max(radius, centre.distance(point));
-    const double width = points[3].distance(points[5]), height = points[1].distance(points[7]);
+    const PlacedRule outline(rules.get(ReferenceRules::outline, part), nodes);
+    const Point<3>   centre = outline.get_point(4);
+    double           radius = 0.;
+    for (unsigned int q = 0; q < outline.size(); ++q)
+      radius = std::max(radius, centre.distance(outline.get_point(q)));
+    const double width  = outline.get_point(3).distance(outline.get_point(5));
+    const double height = outline.get_point(1).distance(outline.get_point(7));
     return {centre, radius, width > height ? 0u : 1u};
   }
 

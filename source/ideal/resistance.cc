@@ -24,17 +24,12 @@ namespace caudal::ideal
       std::vector<SurfaceElement> elements;
       for (unsigned int cell = 0; cell < surface.n_cells(); ++cell)
       {
-        const auto         &nodes = surface.get_nodes(cell);
-        CellArray<Point<3>> cell_places;
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          cell_places[k] = places[nodes[k]];
-        const PlacedRule at(rule, cell_places);
+        const auto            &nodes = surface.get_nodes(cell);
+        const PlacedRule       at(rule, extract_cell(places, nodes));
+        ReferenceRule::Vectors u;
+        rule.interpolate(ReferenceRule::value, extract_cell(velocities, nodes), u);
         for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          elements.push_back({cell, q, at.areas[q], Tensor<1, 3>()});
-          for (unsigned int k = 0; k < nodes.size(); ++k)
-            elements.back().u += rule.values[q][k] * velocities[nodes[k]];
-        }
+          elements.push_back({cell, q, at.get_area(q), Point<3>(u[0][q], u[1][q], u[2][q])});
       }
       return elements;
     }
@@ -114,7 +109,7 @@ namespace caudal::ideal
         const auto &nodes = shape.surface.get_nodes(element.cell);
         for (unsigned int k = 0; k < nodes.size(); ++k)
         {
-          const Tensor<1, 3> at_node = rule->values[element.q][k] * df;
+          const Tensor<1, 3> at_node = rule->get_value(k, element.q) * df;
           const Tensor<1, 3> X(motion.positions[nodes[k]]);
           load.screw += make_screw(cross_product_3d(X, at_node), at_node);
           for (unsigned int i = 0; i < motion.modes.size(); ++i)

@@ -8,9 +8,9 @@
 
 namespace caudal::ideal
 {
-  std::vector<double> StrokeModel::compute_torques(const double argument, const Drive &drive)
+  std::vector<double> compute_torques(const StrokeState &state, const StrokeState &state_rate,
+                                      const Drive &drive)
   {
-    const StrokeState   state = compute_state(argument), state_rate = compute_state_rate(argument);
     std::vector<double> torques(state.rates.size(), 0.);
     auto                momentum      = state.torques.momenta.begin();
     auto                momentum_rate = state_rate.torques.momenta.begin();
@@ -24,6 +24,11 @@ namespace caudal::ideal
           torque -= *gradient++ * drive.get(a) * drive.get(b);
       }
     return torques;
+  }
+
+  std::vector<double> StrokeModel::compute_torques(const double argument, const Drive &drive)
+  {
+    return ideal::compute_torques(compute_state(argument), compute_state_rate(argument), drive);
   }
 
   namespace
@@ -165,7 +170,9 @@ namespace caudal::ideal
       std::complex<double>       harmonic = 1.;
       for (unsigned int j = 1; 2 * j <= n_phases; ++j)
       {
-        harmonic *= turn;
+        // *= looks for infinities, too, which takes longer than the rest.
+        harmonic = {harmonic.real() * turn.real() - harmonic.imag() * turn.imag(),
+                    harmonic.real() * turn.imag() + harmonic.imag() * turn.real()};
         weights[k] += (2 * j == n_phases ? 1. : 2.) *
                       (of_derivative ? -(j * harmonic.imag()) : harmonic.real());
       }
@@ -209,8 +216,15 @@ namespace caudal::ideal
   {
     const std::vector<double> weights = compute_weights(psi, false);
     FullMatrix<double>        potentials(solutions[0].potentials.m(), solutions[0].potentials.n());
+    double *const             sums = &potentials(0, 0);
     for (unsigned int k = 0; k < n_phases; ++k)
-      potentials.add(weights[k], solutions[k].potentials);
+    {
+      const double        weight = weights[k];
+      const double *const values = &solutions[k].potentials(0, 0);
+#pragma omp simd
+      for (std::size_t i = 0; i < potentials.n_elements(); ++i)
+        sums[i] += weight * values[i];
+    }
     return potentials;
   }
 } // namespace caudal::ideal

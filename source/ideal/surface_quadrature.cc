@@ -32,39 +32,86 @@ namespace caudal::ideal
 
   ReferenceRule::ReferenceRule(const Quadrature<2> &quadrature, const FiniteElement<2, 3> &fe)
       : weights(quadrature.get_weights())
-      , values(size())
-      , gradients(size())
   {
+    AssertIndexRange(size(), n_most_points + 1);
+    for (unsigned int f = 0; f < 3; ++f)
+    {
+      by_node[f].resize(Surface::n_nodes_per_cell * size());
+      by_point[f].resize(size());
+    }
     for (unsigned int q = 0; q < size(); ++q)
       for (unsigned int k = 0; k < Surface::n_nodes_per_cell; ++k)
       {
-        values[q][k]    = fe.shape_value(k, quadrature.point(q));
-        gradients[q][k] = fe.shape_grad(k, quadrature.point(q));
+        const Tensor<1, 2> gradient  = fe.shape_grad(k, quadrature.point(q));
+        by_point[value][q][k]        = fe.shape_value(k, quadrature.point(q));
+        by_point[x_derivative][q][k] = gradient[0];
+        by_point[y_derivative][q][k] = gradient[1];
+        for (unsigned int f = 0; f < 3; ++f)
+          by_node[f][k * size() + q] = by_point[f][q][k];
       }
+  }
+
+  CAUDAL_WIDE_VECTORS
+  void ReferenceRule::interpolate(const Function f, const CellArray<double> &nodal,
+                                  double *const at_points) const
+  {
+    const std::size_t   n         = size();
+    const double *const functions = by_node[f].data();
+#pragma omp simd
+    for (std::size_t q = 0; q < n; ++q)
+    {
+      double sum = 0.;
+#pragma GCC unroll 9
+      for (std::size_t k = 0; k < Surface::n_nodes_per_cell; ++k)
+        sum += functions[k * n + q] * nodal[k];
+      at_points[q] = sum;
+    }
+  }
+
+  CAUDAL_WIDE_VECTORS
+  void ReferenceRule::add_sums(const Function f, const Numbers &at_points,
+                               CellArray<double> &nodal) const
+  {
+    CellArray<double> sums = nodal;
+    for (unsigned int q = 0; q < size(); ++q)
+    {
+      const CellArray<double> &functions = by_point[f][q];
+#pragma GCC unroll 9
+      for (unsigned int k = 0; k < Surface::n_nodes_per_cell; ++k)
+        sums[k] += functions[k] * at_points[q];
+    }
+    nodal = sums;
   }
 
   PlacedRule::PlacedRule(const ReferenceRule &rule, const CellArray<Point<3>> &nodes)
       : reference(&rule)
-      , points(rule.size())
-      , areas(rule.size())
+      , data(6 * rule.size())
   {
-    for (unsigned int q = 0; q < rule.size(); ++q)
+    const unsigned int     n = size();
+    ReferenceRule::Vectors points, along_x, along_y;
+    rule.interpolate(ReferenceRule::value, nodes, points);
+    rule.interpolate(ReferenceRule::x_derivative, nodes, along_x);
+    rule.interpolate(ReferenceRule::y_derivative, nodes, along_y);
+    for (unsigned int d = 0; d < 3; ++d)
     {
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        points[q] += rule.values[q][k] * Tensor<1, 3>(nodes[k]);
-      const auto [along_x, along_y] = compute_tangents(nodes, q);
-      areas[q]                      = rule.weights[q] * cross_product_3d(along_x, along_y);
+      const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+      double *const y = data.data() + d * n, *const N = data.data() + (3 + d) * n;
+#pragma omp simd
+      for (unsigned int q = 0; q < n; ++q)
+      {
+        y[q] = points[d][q];
+        N[q] =
+            rule.get_weights()[q] * (along_x[e][q] * along_y[f][q] - along_x[f][q] * along_y[e][q]);
+      }
     }
   }
 
-  std::array<Tensor<1, 3>, 2> PlacedRule::compute_tangents(const CellArray<Point<3>> &nodes,
-                                                           const unsigned int         q) const
+  ReferenceRule::Numbers PlacedRule::compute_fluxes(const ReferenceRule::Vectors &u) const
   {
-    std::array<Tensor<1, 3>, 2> tangents;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (unsigned int d = 0; d < 2; ++d)
-        tangents[d] += reference->gradients[q][k][d] * Tensor<1, 3>(nodes[k]);
-    return tangents;
+    ReferenceRule::Numbers fluxes;
+    for (unsigned int q = 0; q < size(); ++q)
+      fluxes[q] = u[0][q] * get_areas(0)[q] + u[1][q] * get_areas(1)[q] + u[2][q] * get_areas(2)[q];
+    return fluxes;
   }
 
   CellPart CellPart::get_half(const unsigned int direction, const unsigned int half) const

@@ -286,6 +286,8 @@ namespace caudal
   void print_figures(const FigureParameters &parameters, const std::string &folder,
                      const MPI_Comm communicator)
   {
+    if (!parameters.are_printed())
+      return;
     run_on_root(communicator, [&]() {
       const std::vector<Table> tables = read_tables(folder, parameters.start);
       for (const std::string &expression : Utilities::split_string_list(parameters.print, ';'))

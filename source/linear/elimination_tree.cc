@@ -95,12 +95,16 @@ namespace caudal
           std::for_each(element.unknowns, element.unknowns + element.n, add);
           begins.push_back(groups.size());
         }
+        // Entries of one pair of groups often follow each other.
+        std::vector<int> last_partner(n_groups, -1);
         for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
         {
           const int row    = group_of[matrix.entries.rows[k]];
           const int column = group_of[matrix.entries.columns[k]];
-          if (row != column)
+          int      &last   = last_partner[std::min(row, column)];
+          if (row != column && last != std::max(row, column))
           {
+            last = std::max(row, column);
             groups.push_back(row);
             groups.push_back(column);
             begins.push_back(groups.size());
@@ -258,6 +262,7 @@ namespace caudal
           *std::min_element(element.unknowns, element.unknowns + element.n, is_earlier)));
     elements = sort_by_front(front_of_part, fronts.size() + 1);
     front_of_part.clear();
+    front_of_part.reserve(matrix.entries.values.size());
     for (std::size_t k = 0; k < matrix.entries.values.size(); ++k)
       front_of_part.push_back(
           find_front(std::min(matrix.entries.rows[k], matrix.entries.columns[k], is_earlier)));

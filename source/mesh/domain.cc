@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
-#include <caudal/base/compatibility.h>
 #include <caudal/mesh/domain.h>
 
 #include <deal.II/distributed/p4est_wrappers.h>
@@ -69,16 +68,13 @@ namespace caudal
   void make_canonical(parallel::distributed::Triangulation<dim> &triangulation,
                       const DomainParameters<dim>               &domain)
   {
-    using Forest = typename internal::p4est::types<dim>::forest;
-    using P4est  = internal::p4est::functions<dim>;
-    // The copy outlives the connectivity of the triangulation: it gets that of another one.
-    parallel::distributed::Triangulation<dim> coarse(
-        compatibility::get_communicator(triangulation));
-    make_domain(coarse, domain);
-    Forest *forest       = P4est::copy_forest(const_cast<Forest *>(triangulation.get_p4est()), 0);
-    forest->connectivity = coarse.get_p4est()->connectivity;
+    using Forest   = typename internal::p4est::types<dim>::forest;
+    using P4est    = internal::p4est::functions<dim>;
+    Forest *forest = P4est::copy_forest(const_cast<Forest *>(triangulation.get_p4est()), 0);
     triangulation.clear();
     make_domain(triangulation, domain);
+    // The one that the copy had is gone.
+    forest->connectivity = triangulation.get_p4est()->connectivity;
     triangulation.load(forest);
     P4est::destroy(forest);
   }

@@ -212,7 +212,7 @@ namespace caudal
         difference.sadd(-1, 1, fluid.velocity);
         difference.update_ghost_values();
         const bool is_first = state.time.get_previous_step() == 0;
-        return (is_first ? 1 : 0.5) * summarise_flow(operators.space, difference).kinetic_energy;
+        return (is_first ? 1 : 0.5) * compute_kinetic_energy(operators.space, difference);
       }
     };
 

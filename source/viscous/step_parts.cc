@@ -46,6 +46,12 @@ namespace caudal
     {
       const Places &velocity = equations.velocity, &force_density = equations.force_density;
       const Places &balance = velocity, &kinematic = force_density; // rows
+
+      auto &[rows, columns, values] = equations.matrix;
+      const std::size_t n_entries   = 2 * coupling_mass.n_nonzero_elements() + response.n_nonzero_elements();
+      rows.reserve(n_entries);
+      columns.reserve(n_entries);
+      values.reserve(n_entries);
       for (const auto &entry : coupling_mass)
       {
         equations.matrix.add(kinematic[entry.row()], velocity[entry.column()],

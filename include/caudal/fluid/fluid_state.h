@@ -48,6 +48,10 @@ namespace caudal
   template <int dim>
   FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
 
+  /** FlowSummary::kinetic_energy alone, which costs less. */
+  template <int dim>
+  double compute_kinetic_energy(const FluidSpace<dim> &space, const FieldVector &velocity);
+
   /**
    * What the local projection stabilisation of the convection dissipates,
    * int tau |k(u.grad u)|^2 [W, per metre of span in 2D: W/m]; @p rate [1/s] is the

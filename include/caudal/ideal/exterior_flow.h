@@ -20,13 +20,16 @@ namespace caudal::ideal
     double double_layer; ///< dG/dn_y dS = -(y - x).N/(4 pi |y - x|^3), N = n dS [1/m, N in m^2]
   };
 
-  /** @p r = y - x [m], which must not be zero; @p N is the element's area times its normal [m^2].
+  /**
+   * r = y - x [m], which must not be zero; N is the element's area times its normal [m^2]. By
+   * coordinates, so that loops over points are vectorised.
    */
-  inline LaplaceKernel evaluate_laplace_kernel(const Tensor<1, 3> &r, const Tensor<1, 3> &N)
+  inline LaplaceKernel evaluate_laplace_kernel(const double r_x, const double r_y, const double r_z,
+                                               const double N_x, const double N_y, const double N_z)
   {
-    const double inverse = 1. / r.norm_square();
+    const double inverse = 1. / (r_x * r_x + r_y * r_y + r_z * r_z);
     const double G       = std::sqrt(inverse) / (4. * numbers::PI);
-    return {G, -(r * N) * inverse * G};
+    return {G, -(r_x * N_x + r_y * N_y + r_z * N_z) * inverse * G};
   }
 
   /**

@@ -8,6 +8,13 @@
 
 namespace caudal::ideal
 {
+  /**
+   * Torques of the modes together with external forces on them [N m], by Lagrange's equations:
+   * Q_i = d/dt (dT/dc_i') - dT/dc_i. @p state_rate: StrokeModel::compute_state_rate().
+   */
+  std::vector<double> compute_torques(const StrokeState &state, const StrokeState &state_rate,
+                                      const Drive &drive);
+
   /** How the body and the fluid around it respond to the gait, at any instant. */
   class StrokeModel
   {
@@ -23,10 +30,7 @@ namespace caudal::ideal
     /** The potentials of Potentials::values at the surface's nodes. */
     virtual FullMatrix<double> compute_potentials(double argument) = 0;
 
-    /**
-     * Torques of the modes together with external forces on them [N m], by Lagrange's equations:
-     * Q_i = d/dt (dT/dc_i') - dT/dc_i.
-     */
+    /** The same for the states at the argument. */
     std::vector<double> compute_torques(double argument, const Drive &drive);
   };
 
