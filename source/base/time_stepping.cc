@@ -62,14 +62,25 @@ namespace caudal
     return scheme == "explicit";
   }
 
-  TimeWeights TimeWeights::backward_differentiation(const double step, const double previous_step)
+  TimeWeights TimeWeights::backward_differentiation(const double step, const double previous_step,
+                                                    const double older_step)
   {
     if (previous_step == 0)
-      return {{1 / step, -1 / step, 0}, {1, 0}};
+      return {{1 / step, -1 / step, 0}, {1, 0}, {1, 0, 0}};
     const double ratio = step / previous_step;
-    return {{(1 + 2 * ratio) / (1 + ratio) / step, -(1 + ratio) / step,
-             ratio * ratio / (1 + ratio) / step},
-            {1 + ratio, -ratio}};
+    TimeWeights  weights{{(1 + 2 * ratio) / (1 + ratio) / step, -(1 + ratio) / step,
+                          ratio * ratio / (1 + ratio) / step},
+                        {1 + ratio, -ratio},
+                        {1 + ratio, -ratio, 0}};
+    if (older_step > 0)
+    {
+      // Newton's form: the parabola adds (y[n, n-1] - y[n-1, n-2]) factor to the line.
+      const double factor = 2. / 3. * step * (step + previous_step) / (previous_step + older_step);
+      weights.transport[0] += factor / previous_step;
+      weights.transport[1] -= factor / previous_step + factor / older_step;
+      weights.transport[2] += factor / older_step;
+    }
+    return weights;
   }
 
   TimeStepper::TimeStepper(const TimeParameters &parameters)
@@ -87,7 +98,7 @@ namespace caudal
 
   TimeWeights TimeStepper::get_weights(const double step) const
   {
-    return TimeWeights::backward_differentiation(step, previous_step);
+    return TimeWeights::backward_differentiation(step, previous_step, older_step);
   }
 
   void TimeStepper::accept(const double step, const Indicators &indicators)
@@ -95,6 +106,7 @@ namespace caudal
     // Predicted and computed positions of BDF2 differ by a term of third order in the step.
     const double order = parameters->is_explicit() || previous_step == 0 ? 2 : 3;
     time += step;
+    older_step    = previous_step;
     previous_step = step;
     ++step_number;
     if (parameters->adaptive)

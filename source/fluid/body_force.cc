@@ -13,41 +13,29 @@ namespace caudal
   {}
 
   template <int dim>
-  void BodyForceLoads<dim>::clear()
+  void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const double time)
   {
-    is_valid = false;
-  }
-
-  template <int dim>
-  void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const double new_time)
-  {
-    if (are_zero() || (is_valid && time == new_time))
+    if (are_zero())
       return;
-    is_valid            = false;
-    const auto &element = dofs.get_fe();
-    n_per_cell          = element.n_dofs_per_cell();
-    loads.assign(dofs.get_triangulation().n_active_cells() * n_per_cell, 0.);
-
+    const auto     &element = dofs.get_fe();
     Expression<dim> function("Fluid/Body force", parameters.body_force, dim);
-    function.set_time(new_time);
+    function.set_time(time);
     FEValues<dim>  values(element, QGauss<dim>(element.degree + 1),
                           update_values | update_quadrature_points | update_JxW_values);
     Vector<double> force(dim);
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
+    CellLoads<dim>::update(dofs, time, [&](const auto &cell, double *load) {
+      values.reinit(cell);
+      for (const unsigned int q : values.quadrature_point_indices())
       {
-        double *load = &loads[cell->active_cell_index() * n_per_cell];
-        values.reinit(cell);
-        for (const unsigned int q : values.quadrature_point_indices())
+        function.vector_value(values.quadrature_point(q), force);
+        for (const unsigned int i : values.dof_indices())
         {
-          function.vector_value(values.quadrature_point(q), force);
-          for (unsigned int i = 0; i < n_per_cell; ++i)
-            load[i] += force[element.system_to_component_index(i).first] *
-                       values.shape_value(i, q) * values.JxW(q);
+          const unsigned int d = element.system_to_component_index(i).first;
+          load[i] += (force[d] + parameters.density * parameters.gravity[d]) *
+                     values.shape_value(i, q) * values.JxW(q);
         }
       }
-    time     = new_time;
-    is_valid = true;
+    });
   }
 
   template class BodyForceLoads<2>;

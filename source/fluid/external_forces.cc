@@ -104,20 +104,24 @@ namespace caudal
   {
     const auto                &parameters = space.get_parameters();
     const BodyForceLoads<dim> &body_force = space.get_body_force_loads(time);
+    const SideLoads<dim>      &tractions  = space.get_side_loads(time);
     FaceFlow<dim>              flow(space, state);
     Vector<double>             values(space.velocity_element.n_dofs_per_cell());
-    double                     power = 0;
+    double                     power     = 0;
+    const auto                 add_loads = [&](const ArrayView<const double> &loads) {
+      for (unsigned int i = 0; i < loads.size(); ++i)
+        power += loads[i] * values[i];
+    };
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
     {
       if (!cell->is_locally_owned())
         continue;
-      if (!body_force.are_zero())
-      {
+      if (!body_force.are_zero() || !tractions.are_zero())
         cell->get_dof_values(state.velocity, values);
-        const auto loads = body_force.get(cell);
-        for (unsigned int i = 0; i < loads.size(); ++i)
-          power += loads[i] * values[i];
-      }
+      if (!body_force.are_zero())
+        add_loads(body_force.get(cell));
+      if (!tractions.are_zero())
+        add_loads(tractions.get(cell));
       for (const unsigned int f : cell->face_indices())
       {
         if (!cell->face(f)->at_boundary())
@@ -128,8 +132,8 @@ namespace caudal
           continue;
         flow.reinit(cell, f);
         power += flow.integrate([&](const auto &u, const auto &n, const auto &traction) {
-          const bool   is_closed = condition.is_open() && parameters.backflow_stabilisation;
-          const double flux      = is_closed ? std::max(u * n, 0.) : u * n;
+          const bool is_closed = condition.resists_backflow() && parameters.backflow_stabilisation;
+          const double flux    = is_closed ? std::max(u * n, 0.) : u * n;
           return (condition.is_open() ? 0. : u * traction) -
                  0.5 * parameters.density * u.norm_square() * flux;
         });

@@ -49,6 +49,10 @@ namespace caudal
                       "Velocity at t = 0, components separated by ';' [m/s].");
     prm.add_parameter("Body force", body_force,
                       "Force per volume on the whole domain, components separated by ';' [N/m^3].");
+    prm.add_parameter(
+        "Gravity", gravity,
+        "Acceleration g of gravity, which acts on fluid and bodies by their densities "
+        "[m/s^2]. A side that is open then needs the pressure of the fluid outside.");
     prm.enter_subsection("Boundary conditions");
     for (auto &side : sides)
       side.add_parameters(prm);
@@ -102,7 +106,7 @@ namespace caudal
   template <int dim>
   bool FluidParameters<dim>::has_body_force() const
   {
-    return body_force.find_first_not_of("0; ") != std::string::npos;
+    return gravity.norm() > 0. || body_force.find_first_not_of("0; ") != std::string::npos;
   }
 
   template struct FluidParameters<2>;

@@ -36,6 +36,7 @@ namespace caudal
       , domain_size(domain.size)
       , boundary_conditions(parameters.create_boundary_conditions())
       , body_force_loads(parameters)
+      , side_loads(boundary_conditions)
   {
     for (unsigned int level = 0; level < domain.levels; ++level)
       cell_matrices.emplace_back(velocity_element, pressure_element, domain.get_cell_size(level));
@@ -45,6 +46,7 @@ namespace caudal
   void FluidSpace<dim>::reinit()
   {
     body_force_loads.clear();
+    side_loads.clear();
     velocity_dofs.distribute_dofs(velocity_element);
     pressure_dofs.distribute_dofs(pressure_element);
     homogeneous_constraints.copy_from(make_constraints(

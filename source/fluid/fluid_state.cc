@@ -8,16 +8,16 @@ namespace caudal
   template <int dim>
   void FluidState<dim>::reinit(const FluidSpace<dim> &space)
   {
-    velocity.reinit(space.make_velocity_vector());
-    old_velocity.reinit(velocity);
+    for (FieldVector *field : get_velocities())
+      field->reinit(space.make_velocity_vector());
     pressure.reinit(space.make_pressure_vector());
   }
 
   template <int dim>
   void FluidState<dim>::update_ghost_values() const
   {
-    velocity.update_ghost_values();
-    old_velocity.update_ghost_values();
+    for (const FieldVector *field : get_velocities())
+      field->update_ghost_values();
     pressure.update_ghost_values();
   }
 

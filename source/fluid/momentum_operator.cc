@@ -90,6 +90,7 @@ namespace caudal
           , pressures(space.pressure_element.n_dofs_per_cell())
           , convection(values.size() / dim, values.size() / dim)
           , body_force(space.get_body_force_loads(step.time))
+          , tractions(space.get_side_loads(step.time))
           , face(space.velocity_element.base_element(0), QGauss<dim - 1>(3),
                  update_values | update_JxW_values)
       {
@@ -103,7 +104,7 @@ namespace caudal
         }
       }
 
-      /** residual -= the terms known from before; += pressure and body force */
+      /** residual -= the terms known from before; += pressure, body force and tractions */
       void add_known_terms(const Cell &cell, const FieldVector &pressure, Vector<double> &residual)
       {
         const CellMatrices<dim> &matrices = space.get_cell_matrices(cell->level());
@@ -127,11 +128,9 @@ namespace caudal
         Cell(*cell, &space.pressure_dofs)->get_dof_values(pressure, pressures);
         matrices.get_divergence().Tvmult_add(residual, pressures);
         if (!body_force.are_zero())
-        {
-          const auto loads = body_force.get(cell);
-          for (unsigned int i = 0; i < residual.size(); ++i)
-            residual[i] += loads[i];
-        }
+          add_loads(body_force.get(cell), residual);
+        if (!tractions.are_zero())
+          add_loads(tractions.get(cell), residual);
       }
 
       /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
@@ -160,7 +159,14 @@ namespace caudal
       FullMatrix<double>              convection;
       std::vector<FullMatrix<double>> implicit_matrices, old_matrices;
       const BodyForceLoads<dim>      &body_force;
-      FEFaceValues<dim>               face; // of an outflow side
+      const SideLoads<dim>           &tractions;
+      FEFaceValues<dim>               face; // of an open side
+
+      static void add_loads(const ArrayView<const double> &loads, Vector<double> &residual)
+      {
+        for (unsigned int i = 0; i < residual.size(); ++i)
+          residual[i] += loads[i];
+      }
 
       void compute_convection(const Cell &cell, const Vector<double> &velocity)
       {
@@ -174,7 +180,7 @@ namespace caudal
       }
 
       /**
-       * Adds what the skew-symmetric form of the convection lacks on outflow
+       * Adds what the skew-symmetric form of the convection lacks on open
        * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
        * energy and may be left out (Braack & Mucha 2014, doi:10.4208/jcm.1405-m4347).
        */
@@ -187,7 +193,8 @@ namespace caudal
           for (const unsigned int s : face.dof_indices())
             flux += (f % 2 == 0 ? -1 : 1) * face.shape_value(s, q) *
                     velocity[space.velocity_element.component_to_system_index(f / 2, s)];
-          if (parameters.backflow_stabilisation)
+          if (parameters.backflow_stabilisation &&
+              space.get_boundary_condition(cell->face(f)->boundary_id()).resists_backflow())
             flux = std::max(flux, 0.);
           for (const unsigned int i : face.dof_indices())
             for (const unsigned int j : face.dof_indices())
@@ -211,7 +218,7 @@ namespace caudal
     FullMatrix<double>                   cell_matrix(n, n);
     Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
-    // A body force may fail on the cells of one rank only.
+    // A body force or a traction may fail on the cells of one rank only.
     const std::string error = catch_error([&]() {
       CellAssembler<dim> assembler(space, step);
       unsigned int       index = 0;

@@ -19,6 +19,11 @@ namespace caudal
       {
         return true;
       }
+
+      bool resists_backflow() const override
+      {
+        return true;
+      }
     };
 
     const DimensionalRegistration<BoundaryCondition, Outflow> registration("outflow",

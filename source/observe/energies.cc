@@ -52,11 +52,12 @@ namespace caudal
     last = now;
 
     ledger.kinetic_energy = report.flow.kinetic_energy;
-    ledger.elastic_energy = ledger.muscle_work = ledger.feedback_work = 0;
+    ledger.elastic_energy = ledger.potential_energy = ledger.muscle_work = ledger.feedback_work = 0;
     for (const auto &[body, state, body_report] : observation.bodies)
     {
       ledger.kinetic_energy += compute_excess_kinetic_energy(body.get_solid(), state.velocity);
       ledger.elastic_energy += body_report.deformation.elastic_energy;
+      ledger.potential_energy += body.get_potential_energy(state);
       ledger.muscle_work += state.muscle_work;
       ledger.feedback_work += state.feedback_work;
     }
@@ -72,6 +73,8 @@ namespace caudal
     statistics.set(prefix + "muscle work", energy, state.muscle_work);
     statistics.set(prefix + "elastic energy", energy, report.deformation.elastic_energy);
     statistics.set(prefix + "feedback work", energy, state.feedback_work);
+    if (observation.space.get_parameters().gravity.norm() > 0.)
+      statistics.set(prefix + "potential energy", energy, body.get_potential_energy(state));
   }
 
   template <int dim>

@@ -21,7 +21,7 @@ namespace caudal
       const double        sum = std::abs(ledger.muscle_work) + std::abs(ledger.feedback_work) +
                          std::abs(ledger.external_work) + start.kinetic_energy +
                          ledger.kinetic_energy + std::abs(ledger.elastic_energy) +
-                         ledger.dissipation;
+                         std::abs(ledger.potential_energy) + ledger.dissipation;
       return std::abs(ledger.get_residual(start)) / std::max(sum, 1e-300);
     }
 

@@ -35,9 +35,9 @@ namespace caudal
         for (const auto member : {&SwimSample::tail, &SwimSample::centre})
           result.*member = (1 - weight) * (a.*member) + weight * (b.*member);
         for (const auto member : {&EnergyLedger::kinetic_energy, &EnergyLedger::elastic_energy,
-                                  &EnergyLedger::dissipation, &EnergyLedger::numerical_dissipation,
-                                  &EnergyLedger::muscle_work, &EnergyLedger::feedback_work,
-                                  &EnergyLedger::external_work})
+                                  &EnergyLedger::potential_energy, &EnergyLedger::dissipation,
+                                  &EnergyLedger::numerical_dissipation, &EnergyLedger::muscle_work,
+                                  &EnergyLedger::feedback_work, &EnergyLedger::external_work})
           result.ledger.*member = mix(a.ledger.*member, b.ledger.*member);
         return result;
       };

@@ -68,11 +68,13 @@ namespace caudal
   }
 
   template <int dim>
-  Body<dim>::Body(const BodyParameters<dim> &parameters, const Surroundings &fluid)
+  Body<dim>::Body(const BodyParameters<dim> &parameters, const Surroundings &fluid,
+                  const Tensor<1, dim> &gravity)
       : parameters(parameters)
       , solid(parameters.solid, fluid)
       , extent(compute_extent(solid.get_triangulation()))
       , controller(parameters.controller.type.create())
+      , gravity(gravity)
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
@@ -80,7 +82,7 @@ namespace caudal
     muscle = parameters.muscle.create(extent.length, region_ids);
     gait   = parameters.gait.create(extent.length);
     check_nose();
-    if (swims())
+    if (undulates())
       lateral_point =
           solid.add_point(Point<dim>(parameters.muscle.shared.monitored_point * extent.length *
                                      Point<dim>::unit_vector(0)),
@@ -88,6 +90,8 @@ namespace caudal
 
     loads.push_back(make_elastic_load(solid));
     loads.push_back(make_feedback_load(solid));
+    if (gravity.norm() > 0. && solid.get_excess_density() != 0.)
+      loads.push_back(make_excess_weight(solid, gravity));
     if (has_muscle())
       loads.push_back(make_muscle_load(solid, *muscle));
     if (!parameters.solid.traction.empty())
@@ -160,6 +164,8 @@ namespace caudal
     for (const auto &load : loads)
       if (load->account == account)
         load->add(motion, force, nullptr);
+    if (account != LoadAccount::feedback)
+      solid.clear_fixed_nodes(force);
     return force;
   }
 
@@ -168,13 +174,24 @@ namespace caudal
                                                                   BodyResponse     *response) const
   {
     std::map<LoadAccount, Vector<double>> forces;
-    for (const auto &load : loads)
-    {
-      Vector<double> &force = forces[load->account];
-      if (force.size() == 0)
-        force.reinit(solid.n_dofs());
-      load->add(motion, force, response);
-    }
+    const auto                            add = [&](const bool is_feedback) {
+      for (const auto &load : loads)
+        if ((load->account == LoadAccount::feedback) == is_feedback)
+        {
+          Vector<double> &force = forces[load->account];
+          if (force.size() == 0)
+            force.reinit(solid.n_dofs());
+          load->add(motion, force, response);
+        }
+    };
+    add(false);
+    // What acts on fixed nodes is borne by their support, and not by the fluid through the damping.
+    for (auto &force : forces)
+      solid.clear_fixed_nodes(force.second);
+    if (response != nullptr)
+      for (SparseMatrix<double> *matrix : {&response->stiffness, &response->damping})
+        solid.clear_fixed_nodes(*matrix);
+    add(true);
     return forces;
   }
 
@@ -193,13 +210,27 @@ namespace caudal
   }
 
   template <int dim>
+  double Body<dim>::get_potential_energy(const BodyState &state) const
+  {
+    Vector<double> rise(state.positions);
+    rise -= solid.get_initial_positions();
+    return -(compute_excess_weight(solid, gravity) * rise);
+  }
+
+  template <int dim>
+  Tensor<1, dim> Body<dim>::evaluate_monitored(const Vector<double> &field) const
+  {
+    return undulates() ? solid.evaluate(field, lateral_point) : solid.compute_mean(field);
+  }
+
+  template <int dim>
   double Body<dim>::get_lateral_position(const BodyState &state) const
   {
     if (!swims())
       return 0;
     const Tensor<1, dim> axis     = solid.get_initial_axis(1);
-    const Tensor<1, dim> position = solid.evaluate(state.positions, lateral_point);
-    const Tensor<1, dim> initial  = solid.evaluate(solid.get_initial_positions(), lateral_point);
+    const Tensor<1, dim> position = evaluate_monitored(state.positions);
+    const Tensor<1, dim> initial  = evaluate_monitored(solid.get_initial_positions());
     if (parameters.lateral_frame == "domain")
       return (position - initial) * axis;
     const auto head = fit_head(state);
@@ -229,9 +260,9 @@ namespace caudal
     const auto motion = fit_head(state);
     const auto velocity =
         fit_rigid_velocity(solid, solid.get_head_nodes(), state.positions, state.velocity);
-    const Tensor<1, dim> point          = solid.evaluate(state.positions, lateral_point);
+    const Tensor<1, dim> point          = evaluate_monitored(state.positions);
     Tensor<1, dim>       axis           = solid.get_initial_axis(1);
-    Tensor<1, dim>       point_velocity = solid.evaluate(state.velocity, lateral_point);
+    Tensor<1, dim>       point_velocity = evaluate_monitored(state.velocity);
     if (parameters.lateral_frame == "head")
     {
       axis = motion.rotation * axis;

@@ -33,10 +33,7 @@ namespace caudal
   {
     AssertThrow(Utilities::MPI::n_mpi_processes(communicator) == 1,
                 ExcMessage("Model: the elastic model runs on one rank. Start it without mpirun."));
-    Vector<double> gravity(solid.n_dofs());
-    for (const auto &node : solid.get_nodes())
-      set_value(gravity, node, solid.get_excess_density() * parameters.gravity);
-    solid.get_mass_matrix().vmult(weight, gravity);
+    weight = compute_excess_weight(solid, parameters.gravity);
   }
 
   template <int dim>

@@ -52,14 +52,17 @@ namespace caudal
   {
     /** What a region can't have without a fluid. */
     template <int dim>
-    void check_region(const RegionParameters<dim> &region, const std::string &path)
+    void check_region(const SolidParameters<dim> &solid, const unsigned int r)
     {
+      const RegionParameters<dim>   &region   = *solid.region_parameters[r];
+      const std::string              path     = solid.get_region_path(r);
       const MaterialParameters<dim> &material = region.material;
       AssertThrow(material.thin_direction == "none",
                   ExcMessage(path + "/Thin direction: the elastic model has no fluid whose "
                                     "pressure takes the stress that this leaves out. Give none."));
       AssertThrow(!material.material.get().leaves_volume_to_pressure() ||
-                      material.volumetric_stabilisation > 0 || region.cell_volume_stabilisation > 0,
+                      material.volumetric_stabilisation > 0 ||
+                      solid.get_cell_volume_stabilisation(r) > 0,
                   ExcMessage(path + "/Material: <" + material.material.get_name() +
                              "> leaves the volume to the fluid's pressure, and there is no fluid. "
                              "Give St. Venant-Kirchhoff, or a Volumetric stabilisation."));
@@ -78,11 +81,15 @@ namespace caudal
     solid->check();
     check_positive(solid->get_path() + "/Density", solid->density,
                    "There is no fluid to take it from: give a positive one [kg/m^3].");
+    AssertThrow(solid->surface_spring.empty() && solid->surface_damper.empty(),
+                ExcMessage(solid->get_path() +
+                           "/Surface spring, Surface damper: the elastic model has no springs. "
+                           "Leave them empty; Motion = fixed holds a region."));
     AssertThrow(solid->traction.empty(),
                 ExcMessage(solid->get_path() + "/Traction: the elastic model knows no load but "
                                                "Gravity. Leave it empty."));
     for (unsigned int r = 0; r < solid->regions.size(); ++r)
-      check_region(*solid->region_parameters[r], solid->get_region_path(r));
+      check_region(*solid, r);
     output.check();
   }
 

@@ -28,6 +28,7 @@ namespace caudal
           , force(n)
           , volume_gradient(n)
           , stiffness(n, n)
+          , volume_curvature(n, n)
       {
         for (unsigned int i = 0; i < n; ++i)
           std::tie(component[i], node[i]) = element.system_to_component_index(i);
@@ -38,6 +39,7 @@ namespace caudal
         force            = 0;
         volume_gradient  = 0;
         stiffness        = 0;
+        volume_curvature = 0;
         volume           = 0;
         reference_volume = 0;
       }
@@ -59,16 +61,7 @@ namespace caudal
       /** The @p tangent dP/dF of the stress. */
       void add_tangent(const Tensor<4, dim> &tangent, const QuadraturePoint &point)
       {
-        for (unsigned int j = 0; j < n; ++j)
-        {
-          // dP for a displacement of node j: column k of the tangent times grad N_j.
-          Tensor<2, dim> dP;
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int J = 0; J < dim; ++J)
-              dP[i][J] = tangent[i][J][component[j]] * point.gradients[node[j]];
-          for (unsigned int i = 0; i < n; ++i)
-            stiffness(i, j) += point.weight * (dP[component[i]] * point.gradients[node[i]]);
-        }
+        add_second_derivatives(tangent, point, stiffness);
       }
 
       void add_volume(const Tensor<2, dim> &F, const QuadraturePoint &point)
@@ -80,16 +73,27 @@ namespace caudal
         reference_volume += point.weight;
       }
 
+      /** The second derivative of J, J (G_iJ G_kL - G_iL G_kJ) with G = F^-T. */
+      void add_volume_curvature(const Tensor<2, dim> &F, const QuadraturePoint &point)
+      {
+        const double         J = determinant(F);
+        const Tensor<2, dim> G = inverse_transpose(F);
+        add_second_derivatives(make_tangent<dim>([&](auto i, auto J_, auto k, auto L) {
+                                 return J * (G[i][J_] * G[k][L] - G[i][L] * G[k][J_]);
+                               }),
+                               point, volume_curvature);
+      }
+
       /**
        * Force and stiffness of the energy kappa/2 V (ln(v/V))^2 of the volume v of the cell, V in
-       * the reference configuration. The stiffness is that of the linearised ln(v/V), which is
-       * positive semi-definite.
+       * the reference configuration.
        */
       void add_volume_stabilisation(const double kappa)
       {
-        const double J = volume / reference_volume;
-        force.add(-kappa * std::log(J) / J, volume_gradient);
-        const double factor = kappa / (J * volume);
+        const double J = volume / reference_volume, log_J = std::log(J);
+        force.add(-kappa * log_J / J, volume_gradient);
+        stiffness.add(kappa * log_J / J, volume_curvature);
+        const double factor = kappa * (1. - log_J) / (J * volume);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             stiffness(i, j) += factor * volume_gradient[i] * volume_gradient[j];
@@ -108,8 +112,24 @@ namespace caudal
       const unsigned int        n;
       std::vector<unsigned int> component, node;
       Vector<double>            force, volume_gradient;
-      FullMatrix<double>        stiffness;
+      FullMatrix<double>        stiffness, volume_curvature;
       double                    volume = 0, reference_volume = 0;
+
+      /** Tests the second @p derivative with respect to F by two displacements. */
+      void add_second_derivatives(const Tensor<4, dim> &derivative, const QuadraturePoint &point,
+                                  FullMatrix<double> &matrix) const
+      {
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          // dP for a displacement of node j: column k of the tangent times grad N_j.
+          Tensor<2, dim> dP;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int J = 0; J < dim; ++J)
+              dP[i][J] = derivative[i][J][component[j]] * point.gradients[node[j]];
+          for (unsigned int i = 0; i < n; ++i)
+            matrix(i, j) += point.weight * (dP[component[i]] * point.gradients[node[i]]);
+        }
+      }
     };
 
     template <int dim>
@@ -140,6 +160,8 @@ namespace caudal
               sums.add_tangent(material.tangent(F, point.place), point);
             if (kappa > 0)
               sums.add_volume(F, point);
+            if (kappa > 0 && response != nullptr)
+              sums.add_volume_curvature(F, point);
           }
           if (kappa > 0)
             sums.add_volume_stabilisation(kappa);
@@ -160,17 +182,41 @@ namespace caudal
                BodyResponse *response) const override
       {
         const SolidBody<dim> &body = this->body;
-        Vector<double> displacement(body.get_initial_positions()), opposite_velocity(body.n_dofs());
+        Vector<double> displacement(body.compute_held_positions(motion.time)), slip(body.n_dofs());
         displacement -= motion.positions;
-        opposite_velocity -= motion.velocity;
+        if (body.has_moving_places())
+        {
+          const double increment = 1e-6;
+          slip.add(0.5 / increment, body.compute_held_positions(motion.time + increment),
+                   -0.5 / increment, body.compute_held_positions(motion.time - increment));
+        }
+        slip -= motion.velocity;
         body.get_feedback_stiffness().vmult_add(force, displacement);
-        body.get_feedback_damping().vmult_add(force, opposite_velocity);
+        body.get_feedback_damping().vmult_add(force, slip);
         if (response != nullptr)
         {
           response->stiffness.add(1, body.get_feedback_stiffness());
           response->damping.add(1, body.get_feedback_damping());
         }
       }
+    };
+
+    template <int dim>
+    class ExcessWeight : public Load<dim>
+    {
+    public:
+      ExcessWeight(const SolidBody<dim> &body, const Tensor<1, dim> &gravity)
+          : Load<dim>(body, LoadAccount::gravity)
+          , weight(compute_excess_weight(body, gravity))
+      {}
+
+      void add(const BodyMotion &, Vector<double> &force, BodyResponse *) const override
+      {
+        force += weight;
+      }
+
+    private:
+      const Vector<double> weight;
     };
 
     template <int dim>
@@ -316,6 +362,13 @@ namespace caudal
   }
 
   template <int dim>
+  std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &body,
+                                                const Tensor<1, dim> &gravity)
+  {
+    return std::make_unique<ExcessWeight<dim>>(body, gravity);
+  }
+
+  template <int dim>
   std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &body, const Muscle<dim> &muscle)
   {
     return std::make_unique<MuscleLoad<dim>>(body, muscle);
@@ -363,6 +416,8 @@ namespace caudal
 #define INSTANTIATE(dim)                                                                           \
   template std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &);                   \
   template std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &);                  \
+  template std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &,                   \
+                                                         const Tensor<1, dim> &);                  \
   template std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &,                     \
                                                        const Muscle<dim> &);                       \
   template std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &);                   \

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
+#include <caudal/base/expression.h>
 #include <caudal/mesh/surface_layer.h>
 #include <caudal/solid/solid_body.h>
 
@@ -10,6 +12,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -25,6 +28,16 @@ namespace caudal
   }
 
   template <int dim>
+  Vector<double> compute_excess_weight(const SolidBody<dim> &body, const Tensor<1, dim> &gravity)
+  {
+    Vector<double> acceleration(body.n_dofs()), weight(body.n_dofs());
+    for (const auto &node : body.get_nodes())
+      set_value(acceleration, node, body.get_excess_density() * gravity);
+    body.get_mass_matrix().vmult(weight, acceleration);
+    return weight;
+  }
+
+  template <int dim>
   SolidBody<dim>::SolidBody(const SolidParameters<dim> &parameters, const Surroundings &fluid)
       : parameters(parameters)
       , element(FE_Q<dim>(parameters.polynomial_degree), dim)
@@ -37,8 +50,12 @@ namespace caudal
     make_body_grid(triangulation, parameters.grid, parameters.get_element_size(fluid.cell),
                    parameters.regions, parameters.get_path());
     for (unsigned int r = 0; r < parameters.regions.size(); ++r)
+    {
       materials.push_back(
           parameters.region_parameters[r]->material.create(parameters.get_region_path(r)));
+      cell_volume_stabilisations.push_back(parameters.get_cell_volume_stabilisation(r));
+      places.emplace_back(parameters.region_parameters[r]->place, parameters.get_region_path(r));
+    }
 
     dof_handler.reinit(triangulation);
     dof_handler.distribute_dofs(element);
@@ -59,11 +76,13 @@ namespace caudal
 
     // By the unknown of the first component.
     std::map<unsigned int, Node>         all, head;
+    std::map<unsigned int, unsigned int> regions;
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
-      if (parameters.region_parameters[cell->material_id()]->motion == "fixed")
+      const RegionParameters<dim> &region = *parameters.region_parameters[cell->material_id()];
+      if (region.is_fixed())
         for (const auto dof : dofs)
           fixed_dofs[dof] = true;
       for (unsigned int a = 0; a < dofs.size() / dim; ++a)
@@ -72,12 +91,18 @@ namespace caudal
         for (unsigned int d = 0; d < dim; ++d)
           node[d] = dofs[element.component_to_system_index(d, a)];
         all[node[0]] = node;
+        // A region that moves its points has those that it shares with others.
+        if (regions.count(node[0]) == 0 || region.place.moves())
+          regions[node[0]] = cell->material_id();
         if (cell->material_id() == 0)
           head[node[0]] = node;
       }
     }
     for (const auto &entry : all)
+    {
       nodes.push_back(entry.second);
+      regions_of_nodes.push_back(regions[entry.first]);
+    }
     for (const auto &entry : head)
       head_nodes.push_back(entry.second);
 
@@ -88,11 +113,51 @@ namespace caudal
   }
 
   template <int dim>
-  void SolidBody<dim>::restore_fixed_nodes(Vector<double> &x) const
+  void SolidBody<dim>::clear_fixed_nodes(Vector<double> &force) const
   {
     for (unsigned int i = 0; i < n_dofs(); ++i)
       if (fixed_dofs[i])
-        x[i] = initial_positions[i];
+        force[i] = 0;
+  }
+
+  template <int dim>
+  void SolidBody<dim>::clear_fixed_nodes(SparseMatrix<double> &matrix) const
+  {
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      if (fixed_dofs[i])
+        for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
+          entry->value() = 0;
+  }
+
+  template <int dim>
+  bool SolidBody<dim>::has_moving_places() const
+  {
+    return std::any_of(parameters.region_parameters.begin(), parameters.region_parameters.end(),
+                       [](const auto &region) { return region->place.moves(); });
+  }
+
+  template <int dim>
+  Vector<double> SolidBody<dim>::compute_held_positions(const double time) const
+  {
+    Vector<double> result(initial_positions);
+    if (!has_moving_places())
+      return result;
+    std::vector<RigidMotion<dim>> motions;
+    for (const PrescribedPlace<dim> &place : places)
+      motions.push_back(place.compute(time));
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      set_value(result, nodes[n],
+                motions[regions_of_nodes[n]].apply(get_value(initial_positions, nodes[n])));
+    return result;
+  }
+
+  template <int dim>
+  void SolidBody<dim>::restore_fixed_nodes(Vector<double> &x, const double time) const
+  {
+    const Vector<double> held = compute_held_positions(time);
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      if (fixed_dofs[i])
+        x[i] = held[i];
   }
 
   template <int dim>
@@ -152,11 +217,46 @@ namespace caudal
             }
           }
     }
+    add_surface_springs("Surface spring", parameters.surface_spring, feedback_stiffness);
+    add_surface_springs("Surface damper", parameters.surface_damper, feedback_damping);
     assemble_coupling_mass();
     Vector<double> ones(n_dofs());
     ones = 1;
     nodal_volumes.reinit(n_dofs());
     mass.vmult(nodal_volumes, ones);
+  }
+
+  template <int dim>
+  void SolidBody<dim>::add_surface_springs(const std::string &entry, const std::string &coefficient,
+                                           SparseMatrix<double> &matrix) const
+  {
+    if (coefficient.empty())
+      return;
+    const std::string                    path = parameters.get_path() + "/" + entry;
+    const Expression<dim>                function(path, dim == 2 ? "x,y" : "x,y,z", coefficient);
+    FEFaceValues<dim>                    values(element, QGauss<dim - 1>(element.degree + 1),
+                                                update_values | update_JxW_values | update_quadrature_points);
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+      {
+        if (!cell->at_boundary(f))
+          continue;
+        values.reinit(cell, f);
+        cell->get_dof_indices(dofs);
+        for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const double weight = function.value(values.quadrature_point(q));
+          check_not_negative(path, weight, "Give a function that is not negative.");
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            for (unsigned int j = 0; j < dofs.size(); ++j)
+              if (element.system_to_component_index(i).first ==
+                  element.system_to_component_index(j).first)
+                matrix.add(dofs[i], dofs[j],
+                           weight * values.JxW(q) * values.shape_value(i, q) *
+                               values.shape_value(j, q));
+        }
+      }
   }
 
   template <int dim>
@@ -303,6 +403,8 @@ namespace caudal
   template class SolidBody<3>;
   template Tensor<1, 2>          sum_up(const SolidBody<2> &, const Vector<double> &);
   template Tensor<1, 3>          sum_up(const SolidBody<3> &, const Vector<double> &);
+  template Vector<double>        compute_excess_weight(const SolidBody<2> &, const Tensor<1, 2> &);
+  template Vector<double>        compute_excess_weight(const SolidBody<3> &, const Tensor<1, 3> &);
   template std::vector<Point<2>> get_cell_nodes<2>(const DoFHandler<2>::active_cell_iterator &,
                                                    const Vector<double> &);
   template std::vector<Point<3>> get_cell_nodes<3>(const DoFHandler<3>::active_cell_iterator &,

@@ -73,7 +73,10 @@ namespace caudal
         "Modulus kappa_v of the energy kappa_v/2 V (ln(v/V))^2 of each cell of the body, v "
         "its volume and V that in the reference configuration. It resists the volume errors "
         "of the interpolated motion and, unlike the pointwise volumetric stabilisation, does "
-        "not resist bending [Pa].");
+        "not resist bending [Pa]. automatic: 0, but for a body with a Traction a hundred shear "
+        "moduli: then the body itself carries the pressure that a load causes, whose jump at the "
+        "body's surface, within the fluid's cells, would make the body creep.",
+        Patterns::Anything());
     prm.add_parameter("Feedback stiffness", feedback_stiffness,
                       "Spring constant kappa of the feedback force kappa (X_0 - X) that holds this "
                       "region at its initial place [N/m^4].");
@@ -84,20 +87,31 @@ namespace caudal
                       Patterns::Selection("x|y|z|xy|xz|yz|xyz"));
     prm.add_parameter("Motion", motion,
                       "free: the region moves with the fluid; fixed: its points stay where they "
-                      "are. This suits what is rigid and held by a feedback damping.",
-                      Patterns::Selection("free|fixed"));
+                      "are; prescribed: they follow Translation and Rotation. The last two suit "
+                      "what is rigid and held by a feedback damping.",
+                      Patterns::Selection("free|fixed|prescribed"));
+    place.add_parameters(prm);
   }
 
   template <int dim>
   void RegionParameters<dim>::check(const std::string &path) const
   {
     material.check(path);
-    check_not_negative(path + "/Cell volume stabilisation", cell_volume_stabilisation);
     check_not_negative(path + "/Feedback stiffness", feedback_stiffness);
     check_not_negative(path + "/Feedback damping", feedback_damping);
     AssertThrow(dim == 3 || feedback_directions != "z",
                 ExcMessage(path + "/Feedback directions: the value is z, which is normal to the "
                                   "plane of this body. Give x, y or xy."));
+    AssertThrow(motion != "fixed" || !place.moves(),
+                ExcMessage(path + "/Motion: a fixed region has no Translation or Rotation. Set "
+                                  "Motion = prescribed, or leave them empty."));
+    AssertThrow(motion != "prescribed" || place.moves(),
+                ExcMessage(path + "/Motion: it is prescribed, but Translation and Rotation are "
+                                  "empty. Give one of them, or set Motion = fixed."));
+    AssertThrow(!place.moves() || is_fixed() || feedback_stiffness > 0.,
+                ExcMessage(path + "/Translation, Rotation: nothing holds this region. Set Motion = "
+                                  "prescribed, or give it a Feedback stiffness."));
+    place.check(path);
   }
 
   template <int dim>
@@ -131,6 +145,15 @@ namespace caudal
         "function of the point in the body's own frame and t, components (in the "
         "domain's directions) separated by ';'; empty: none. Its work counts as the muscle's.",
         Patterns::Anything());
+    prm.add_parameter("Surface spring", surface_spring,
+                      "Stiffness k of springs on the body's surface [Pa/m], as a function of the "
+                      "point in the body's own frame: the force k (X_0 - X) per area of the "
+                      "undeformed body. 0 where there are none; empty: none anywhere.",
+                      Patterns::Anything());
+    prm.add_parameter("Surface damper", surface_damper,
+                      "Coefficient c of dampers on the body's surface [Pa s/m], likewise: the "
+                      "force -c U per area.",
+                      Patterns::Anything());
     grid.add_parameters(prm);
     for (unsigned int r = 0; r < regions.size(); ++r)
     {
@@ -148,7 +171,10 @@ namespace caudal
     get_surface_weight();
     grid.check(get_path());
     for (unsigned int r = 0; r < regions.size(); ++r)
+    {
       region_parameters[r]->check(get_region_path(r));
+      get_cell_volume_stabilisation(r);
+    }
   }
 
   template <int dim>
@@ -166,6 +192,21 @@ namespace caudal
     if (!value)
       return polynomial_degree == 1 ? 0.35 : 0.15;
     check_between(path, *value, 0., 2., "Give a number from 0 to 2.");
+    return *value;
+  }
+
+  template <int dim>
+  double SolidParameters<dim>::get_cell_volume_stabilisation(const unsigned int region) const
+  {
+    const std::string            path       = get_region_path(region);
+    const RegionParameters<dim> &parameters = *region_parameters[region];
+    const auto                   value = read_unless_automatic(path + "/Cell volume stabilisation",
+                                                               parameters.cell_volume_stabilisation,
+                                                               "Give automatic or a modulus [Pa].");
+    // The modulus of the waves is twice the shear modulus of an incompressible material.
+    if (!value)
+      return traction.empty() ? 0. : 50. * parameters.material.get_wave_modulus(path);
+    check_not_negative(path + "/Cell volume stabilisation", *value);
     return *value;
   }
 

@@ -120,19 +120,19 @@ namespace caudal
       Transfer              pressure_transfer(space.pressure_dofs);
       const FluidState<dim> old = state.fluid;
       old.update_ghost_values();
-      velocity_transfer.prepare_for_coarsening_and_refinement(
-          std::vector<const FieldVector *>{&old.velocity, &old.old_velocity});
+      velocity_transfer.prepare_for_coarsening_and_refinement(old.get_velocities());
       pressure_transfer.prepare_for_coarsening_and_refinement(old.pressure);
       operators.triangulation.execute_coarsening_and_refinement();
 
       space.reinit();
       state.fluid.reinit(space);
-      std::vector<FieldVector *> velocities = {&state.fluid.velocity, &state.fluid.old_velocity};
+      std::vector<FieldVector *> velocities = state.fluid.get_velocities();
       velocity_transfer.interpolate(velocities);
       pressure_transfer.interpolate(state.fluid.pressure);
-      const double time = state.time.get_time();
-      space.get_constraints(time - state.time.get_previous_step())
-          .distribute(state.fluid.old_velocity);
+      const double time = state.time.get_time(), old_time = time - state.time.get_previous_step();
+      space.get_constraints(old_time - state.time.get_older_step())
+          .distribute(state.fluid.older_velocity);
+      space.get_constraints(old_time).distribute(state.fluid.old_velocity);
       space.get_constraints(time).distribute(state.fluid.velocity);
       state.fluid.update_ghost_values();
     }
@@ -142,10 +142,9 @@ namespace caudal
     void renumber(Operators<dim> &operators, FluidState<dim> &fluid)
     {
       const FluidSnapshot snapshot =
-          take_snapshot(operators.space, {&fluid.velocity, &fluid.old_velocity}, fluid.pressure);
+          take_snapshot(operators.space, std::as_const(fluid).get_velocities(), fluid.pressure);
       operators.reinit();
-      restore_fields(snapshot, operators.space, {&fluid.velocity, &fluid.old_velocity},
-                     fluid.pressure);
+      restore_fields(snapshot, operators.space, fluid.get_velocities(), fluid.pressure);
     }
 
     /** The closest velocity u + du with B (u + du) = 0: M du + B^T q = 0. */

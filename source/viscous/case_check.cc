@@ -68,7 +68,7 @@ namespace caudal
       const std::string            path    = entries.get_region_path(r);
       const double                 modulus = region.material.get_wave_modulus(path);
       // What keeps volumes makes waves fast and steps short, but no body stiff.
-      const double stabilised = modulus + region.cell_volume_stabilisation;
+      const double stabilised = modulus + entries.get_cell_volume_stabilisation(r);
       const double bare       = modulus - region.material.volumetric_stabilisation;
       result.wave_speed       = std::max(result.wave_speed, std::sqrt(stabilised / density));
       result.material_speed   = std::max(result.material_speed, std::sqrt(bare / density));

@@ -43,8 +43,8 @@ namespace caudal
       bodies.emplace_back(state.bodies[b],
                           operators.bodies[b]->get_solid().get_initial_positions());
     ArchivedSolver                   solver;
-    std::vector<const FieldVector *> velocities{&state.fluid.velocity, &state.fluid.old_velocity};
-    solver.memory = state.solver;
+    std::vector<const FieldVector *> velocities = state.fluid.get_velocities();
+    solver.memory                               = state.solver;
     if (const Linearisation *point = state.solver.linearisation.get())
     {
       solver.has_linearisation = true;
@@ -79,8 +79,8 @@ namespace caudal
 
     restore_grid(checkpoint.fluid, operators.parameters.domain, operators.triangulation);
     operators.reinit();
-    const auto                 point = std::make_shared<Linearisation>(solver.linearisation);
-    std::vector<FieldVector *> velocities{&state.fluid.velocity, &state.fluid.old_velocity};
+    const auto                 point      = std::make_shared<Linearisation>(solver.linearisation);
+    std::vector<FieldVector *> velocities = state.fluid.get_velocities();
     if (solver.has_transport)
       velocities.push_back(&point->transport);
     restore_fields(checkpoint.fluid, operators.space, velocities, state.fluid.pressure);

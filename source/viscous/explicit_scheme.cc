@@ -28,8 +28,8 @@ namespace caudal
         const std::vector<Contraction>        contractions = command_muscles(operators, state, dt);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
-          step.state.bodies.push_back(
-              predict_body(*operators.bodies[b], state.bodies[b], contractions[b], dt));
+          step.state.bodies.push_back(predict_body(*operators.bodies[b], state.bodies[b],
+                                                   contractions[b], state.time.get_time(), dt));
           predicted.push_back(step.state.bodies[b].positions);
         }
         FieldVector convecting = state.fluid.velocity;
@@ -83,14 +83,15 @@ namespace caudal
 
       /** X^n + dt U^n, and what its muscle has decided. */
       static BodyState predict_body(const Body<dim> &body, const BodyState &before,
-                                    const Contraction &contraction, const double dt)
+                                    const Contraction &contraction, const double time,
+                                    const double dt)
       {
         BodyState next     = before;
         next.contraction   = contraction;
         next.old_positions = before.positions;
         next.old_velocity  = before.velocity;
         next.positions.add(dt, before.velocity);
-        body.get_solid().restore_fixed_nodes(next.positions);
+        body.get_solid().restore_fixed_nodes(next.positions, time + dt);
         return next;
       }
 
@@ -154,7 +155,7 @@ namespace caudal
         next.bodies[b].positions.add(0.5 * dt,
                                      follow_fluid(body, interaction, state.fluid.velocity),
                                      0.5 * dt, next.bodies[b].velocity);
-        body.get_solid().restore_fixed_nodes(next.bodies[b].positions);
+        body.get_solid().restore_fixed_nodes(next.bodies[b].positions, state.time.get_time() + dt);
       }
     };
 

@@ -14,7 +14,8 @@ namespace caudal
       Bodies<dim> bodies;
       for (const auto &body : parameters.bodies)
         bodies.push_back(std::make_unique<Body<dim>>(
-            *body, Surroundings{parameters.fluid.density, parameters.domain.get_finest_cell()}));
+            *body, Surroundings{parameters.fluid.density, parameters.domain.get_finest_cell()},
+            parameters.fluid.gravity));
       check_fluid_size(parameters, bodies, communicator);
       return bodies;
     }

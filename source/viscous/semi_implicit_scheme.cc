@@ -41,9 +41,9 @@ namespace caudal
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
           const Body<dim> &body = *operators.bodies[b];
-          step.state.bodies.push_back(
-              move_body(body, state.bodies[b], weights, bodies.interactions[b], corrections[b],
-                        point->bodies[b].contraction, step.state.fluid.velocity));
+          step.state.bodies.push_back(move_body(body, state.bodies[b], weights,
+                                                bodies.interactions[b], corrections[b], *point, b,
+                                                step.state.fluid.velocity));
           step.report.bodies.emplace_back();
           step.report.bodies[b].muscle_power =
               account_work(body, state.bodies[b],
@@ -57,7 +57,7 @@ namespace caudal
           predicted.push_back(body.positions);
         check_step(operators, state, step.state, predicted, bodies.interactions, dt, step.report);
         step.report.rate    = point->rate;
-        step.report.damping = compute_damping(operators, state, *point, step.state.fluid);
+        step.report.damping = compute_damping(operators, state, weights, step.state.fluid);
         step.state.time.accept(dt, step.report.indicators);
       }
 
@@ -77,8 +77,8 @@ namespace caudal
         point.weights.grad_div     = parameters.density * operators.space.get_grad_div();
         point.weights.augmentation = operators.get_augmentation(point.weights.inertia);
         point.transport            = state.fluid.velocity;
-        point.transport.sadd(weights.extrapolation[0], weights.extrapolation[1],
-                             state.fluid.old_velocity);
+        point.transport.sadd(weights.transport[0], weights.transport[1], state.fluid.old_velocity);
+        point.transport.add(weights.transport[2], state.fluid.older_velocity);
         point.transport.update_ghost_values();
         for (unsigned int b = 0; b < state.bodies.size(); ++b)
         {
@@ -86,22 +86,22 @@ namespace caudal
           const BodyState &before   = state.bodies[b];
           Vector<double>   velocity = before.velocity;
           velocity.sadd(weights.extrapolation[0], weights.extrapolation[1], before.old_velocity);
-          point.bodies.push_back(
-              {integrate_position(body, before, velocity, weights), velocity, contractions[b]});
+          point.bodies.push_back({integrate_position(body, before, velocity, weights, point.time),
+                                  velocity, contractions[b]});
         }
         return point;
       }
 
-      /** X^{n+1} from U^{n+1} and the old positions, by BDF2. */
+      /** X^{n+1} from U^{n+1} and the old positions, by BDF2; @p time is t^{n+1}. */
       static Vector<double> integrate_position(const Body<dim> &body, const BodyState &state,
                                                const Vector<double> &velocity,
-                                               const TimeWeights    &weights)
+                                               const TimeWeights &weights, const double time)
       {
         Vector<double> positions(velocity);
         positions.add(-weights.derivative[1], state.positions, -weights.derivative[2],
                       state.old_positions);
         positions /= weights.derivative[0];
-        body.get_solid().restore_fixed_nodes(positions);
+        body.get_solid().restore_fixed_nodes(positions, time);
         return positions;
       }
 
@@ -172,17 +172,17 @@ namespace caudal
       static BodyState move_body(const Body<dim> &body, const BodyState &state,
                                  const TimeWeights              &weights,
                                  const InteractionOperator<dim> &interaction,
-                                 const BodyUnknowns &correction, const Contraction &contraction,
-                                 const FieldVector &velocity)
+                                 const BodyUnknowns &correction, const Linearisation &point,
+                                 const unsigned int b, const FieldVector &velocity)
       {
         BodyState next;
         next.force_density = state.force_density;
         next.force_density += correction.force_density;
         next.velocity      = follow_fluid(body, interaction, velocity);
         next.old_velocity  = state.velocity;
-        next.positions     = integrate_position(body, state, next.velocity, weights);
+        next.positions     = integrate_position(body, state, next.velocity, weights, point.time);
         next.old_positions = state.positions;
-        next.contraction   = contraction;
+        next.contraction   = point.bodies[b].contraction;
         return next;
       }
 
@@ -197,19 +197,22 @@ namespace caudal
         positions.sadd(0.5, 0.5, after.positions);
         velocity.sadd(0.5, 0.5, after.velocity);
         const BodyMotion motion{positions, velocity, time + 0.5 * dt, dt, after.contraction};
-        BodyForces       forces;
-        for (const LoadAccount account :
-             {LoadAccount::feedback, body.has_gait() ? LoadAccount::elastic : LoadAccount::muscle})
+        std::vector<LoadAccount> accounts{LoadAccount::feedback, LoadAccount::muscle};
+        if (body.has_gait())
+          accounts = {LoadAccount::feedback, LoadAccount::elastic, LoadAccount::gravity};
+        BodyForces forces;
+        for (const LoadAccount account : accounts)
           forces[account] = body.compute_force(account, motion);
         return forces;
       }
 
-      /** See StepReport::damping: the transport velocity is the extrapolated one. */
+      /** See StepReport::damping. */
       static double compute_damping(const Operators<dim> &operators, const State<dim> &state,
-                                    const Linearisation &point, const FluidState<dim> &fluid)
+                                    const TimeWeights &weights, const FluidState<dim> &fluid)
       {
-        FieldVector difference(point.transport);
-        difference.sadd(-1, 1, fluid.velocity);
+        FieldVector difference(fluid.velocity);
+        difference.add(-weights.extrapolation[0], state.fluid.velocity, -weights.extrapolation[1],
+                       state.fluid.old_velocity);
         difference.update_ghost_values();
         const bool is_first = state.time.get_previous_step() == 0;
         return (is_first ? 1 : 0.5) * compute_kinetic_energy(operators.space, difference);

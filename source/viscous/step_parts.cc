@@ -48,7 +48,8 @@ namespace caudal
       const Places &balance = velocity, &kinematic = force_density; // rows
 
       auto &[rows, columns, values] = equations.matrix;
-      const std::size_t n_entries   = 2 * coupling_mass.n_nonzero_elements() + response.n_nonzero_elements();
+      const std::size_t n_entries =
+          2 * coupling_mass.n_nonzero_elements() + response.n_nonzero_elements();
       rows.reserve(n_entries);
       columns.reserve(n_entries);
       values.reserve(n_entries);
@@ -172,7 +173,7 @@ namespace caudal
     step.report.iterations += n_iterations;
 
     FluidState<dim> &fluid = step.state.fluid;
-    fluid                  = {guess.velocity, state.fluid.velocity, guess.pressure};
+    fluid = {guess.velocity, state.fluid.velocity, state.fluid.old_velocity, guess.pressure};
     fluid.velocity += correction.velocity;
     fluid.velocity.update_ghost_values();
     fluid.pressure += correction.pressure;
@@ -214,6 +215,7 @@ namespace caudal
       solid.get_coupling_mass().vmult(driving_force, mean_density);
       driving_force -= forces.at(LoadAccount::elastic);
       driving_force -= feedback_force;
+      driving_force -= forces.at(LoadAccount::gravity);
       // The force density has the inertia of the excess mass in it, with the opposite sign.
       Vector<double> acceleration(after.velocity);
       acceleration -= before.velocity;

@@ -31,15 +31,24 @@ namespace caudal
    * Weights of a two-step formula with variable step,
    * dy/dt(t^{n+1}) ~ derivative[0] y^{n+1} + derivative[1] y^n + derivative[2] y^{n-1},
    * and of the extrapolation y(t^{n+1}) ~ extrapolation[0] y^n + extrapolation[1] y^{n-1}.
+   *
+   * A velocity that transports is extrapolated further, by transport[0] y^n + transport[1] y^{n-1}
+   * + transport[2] y^{n-2}: linearly, and by two thirds of what a parabola adds. The error of the
+   * linear one, + dt^2 y'', makes the lift of unsteady flows too large, the parabola, with the
+   * formula's own damping, too small; measured in prm/benchmarks/README.md.
    */
   struct TimeWeights
   {
     double derivative[3];
     double extrapolation[2];
+    double transport[3];
 
-    /** The backward differentiation formula of second order; of first order for @p previous_step =
-     * 0. */
-    static TimeWeights backward_differentiation(double step, double previous_step);
+    /**
+     * The backward differentiation formula of second order; of first order for @p previous_step =
+     * 0. With @p older_step = 0, of the step before that one, transport is extrapolated linearly.
+     */
+    static TimeWeights backward_differentiation(double step, double previous_step,
+                                                double older_step);
   };
 
   /** The time level of a state, and the size of the step that comes next. */
@@ -61,6 +70,11 @@ namespace caudal
     double get_previous_step() const
     {
       return previous_step;
+    }
+    /** The step before the previous one [s]; 0 if there was none. */
+    double get_older_step() const
+    {
+      return older_step;
     }
     unsigned int get_step_number() const
     {
@@ -107,7 +121,7 @@ namespace caudal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &time &regular_step &previous_step &step_number;
+      archive &time &regular_step &previous_step &older_step &step_number;
     }
 
   private:
@@ -116,6 +130,7 @@ namespace caudal
     double                step          = 0;
     double                regular_step  = 0;
     double                previous_step = 0;
+    double                older_step    = 0;
     unsigned int          step_number   = 0;
 
     void choose_step();

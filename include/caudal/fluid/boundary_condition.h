@@ -53,6 +53,22 @@ namespace caudal
     {
       return false;
     }
+
+    /**
+     * The traction -p n + mu du/dn that is prescribed on an open side with the outer @p normal n at
+     * @p time [Pa]; null where it is zero.
+     */
+    virtual std::unique_ptr<Function<dim>> make_traction(const Tensor<1, dim> & /*normal*/,
+                                                         double /*time*/) const
+    {
+      return {};
+    }
+
+    /** Whether `Fluid/Backflow stabilisation` may change an open side where the flow reverses. */
+    virtual bool resists_backflow() const
+    {
+      return false;
+    }
   };
 } // namespace caudal
 

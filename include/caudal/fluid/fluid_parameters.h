@@ -25,6 +25,8 @@ namespace caudal
     std::string initial_velocity;
     std::string body_force;
 
+    Tensor<1, dim> gravity; // g [m/s^2]
+
     SharedInflow                               inflow;
     std::deque<Choice<BoundaryCondition<dim>>> sides; // by boundary id
 

@@ -7,6 +7,7 @@
 #include <caudal/fluid/body_force.h>
 #include <caudal/fluid/cell_matrices.h>
 #include <caudal/fluid/fluid_parameters.h>
+#include <caudal/fluid/side_loads.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -116,6 +117,13 @@ namespace caudal
       return body_force_loads;
     }
 
+    /** Those of tractions on the sides, likewise. */
+    const SideLoads<dim> &get_side_loads(const double time) const
+    {
+      side_loads.update(velocity_dofs, time);
+      return side_loads;
+    }
+
     const FESystem<dim> velocity_element;
     const FE_DGP<dim>   pressure_element;
     DoFHandler<dim>     velocity_dofs;
@@ -131,6 +139,7 @@ namespace caudal
 
     std::vector<CellMatrices<dim>>    cell_matrices;
     mutable BodyForceLoads<dim>       body_force_loads;
+    mutable SideLoads<dim>            side_loads;
     AffineConstraints<double>         homogeneous_constraints;
     mutable AffineConstraints<double> constraints; // at constraints_time [s]
     mutable std::optional<double>     constraints_time;

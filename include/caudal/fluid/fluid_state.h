@@ -10,14 +10,23 @@ namespace caudal
   template <int dim>
   struct FluidState
   {
-    /** At t^n and t^{n-1} [m/s]. */
-    FieldVector velocity, old_velocity;
+    /** At t^n, t^{n-1} and t^{n-2} [m/s]. */
+    FieldVector velocity, old_velocity, older_velocity;
     /** At the last step [Pa]. */
     FieldVector pressure;
 
     /** Zero fields on the present grid. */
     void reinit(const FluidSpace<dim> &space);
     void update_ghost_values() const;
+
+    std::vector<FieldVector *> get_velocities()
+    {
+      return {&velocity, &old_velocity, &older_velocity};
+    }
+    std::vector<const FieldVector *> get_velocities() const
+    {
+      return {&velocity, &old_velocity, &older_velocity};
+    }
   };
 
   /** Integral quantities of a velocity field (per metre of span in 2D). */

@@ -24,7 +24,7 @@ namespace caudal
     /** Convection terms of old velocities with their weights. */
     std::vector<std::pair<const FieldVector *, double>> old_convection;
 
-    /** Time at which the body force is taken [s]. */
+    /** Time at which body force and tractions are taken [s]. */
     double time = 0;
   };
 

@@ -7,7 +7,7 @@ namespace caudal
   /**
    * Energies of the fluid and of all bodies [J; per metre of span in 2D, J/m]:
    * energies at a time, works and dissipation since the start. They obey
-   *   muscle work + external work = change of kinetic energy + change of elastic energy
+   *   muscle work + external work = change of kinetic, elastic and potential energy
    *                 + dissipation - feedback work + residual,
    * the power balance that follows from testing the equations of fluid and
    * bodies with the velocity (Griffith & Luo 2017, doi:10.1002/cnm.2888,
@@ -17,6 +17,7 @@ namespace caudal
   {
     double kinetic_energy        = 0; // of the fluid and of the bodies' excess mass
     double elastic_energy        = 0;
+    double potential_energy      = 0; // of the bodies' excess weight
     double dissipation           = 0; // by viscosity and numerically
     double numerical_dissipation = 0; // of it: by stabilisations and by the time scheme
     double muscle_work           = 0; // done on the bodies
@@ -29,14 +30,15 @@ namespace caudal
       return muscle_work - start.muscle_work + external_work - start.external_work + feedback_work -
              start.feedback_work -
              (kinetic_energy - start.kinetic_energy + elastic_energy - start.elastic_energy +
-              dissipation - start.dissipation);
+              potential_energy - start.potential_energy + dissipation - start.dissipation);
     }
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &kinetic_energy &elastic_energy &dissipation &numerical_dissipation;
-      archive &muscle_work &feedback_work                  &external_work;
+      archive &kinetic_energy &elastic_energy &potential_energy;
+      archive &dissipation                    &numerical_dissipation;
+      archive &muscle_work &feedback_work     &external_work;
     }
   };
 } // namespace caudal

@@ -35,7 +35,9 @@ namespace caudal
   class Body
   {
   public:
-    Body(const BodyParameters<dim> &parameters, const Surroundings &fluid);
+    /** @p gravity is the acceleration g [m/s^2]. */
+    Body(const BodyParameters<dim> &parameters, const Surroundings &fluid,
+         const Tensor<1, dim> &gravity);
 
     /** Grid, materials and matrices. */
     const SolidBody<dim> &get_solid() const
@@ -123,11 +125,16 @@ namespace caudal
 
     /** Lateral position of the muscle's monitored point, as the muscle is told [m]. */
     double get_lateral_position(const BodyState &state) const;
-    /** Position of the muscle's monitored point, in the domain's frame [m]. */
+    /**
+     * Position of the muscle's monitored point, in the laboratory's frame [m]; the mean of a body
+     * that does not undulate.
+     */
     Tensor<1, dim> get_monitored_position(const BodyState &state) const
     {
-      return solid.evaluate(state.positions, lateral_point);
+      return evaluate_monitored(state.positions);
     }
+    /** Potential energy of its excess weight against where it began [J, in 2D J/m]. */
+    double get_potential_energy(const BodyState &state) const;
     /** Velocity of the centre of mass [m/s]. */
     Tensor<1, dim> get_mean_velocity(const BodyState &state) const
     {
@@ -154,9 +161,11 @@ namespace caudal
     std::unique_ptr<PrescribedMotion<dim>>  prescribed; // of the nodes; null without a gait
     std::unique_ptr<Controller>             controller;
     std::vector<std::unique_ptr<Load<dim>>> loads;
-    unsigned int                            lateral_point = 0;
+    unsigned int                            lateral_point = 0; // if it undulates
+    const Tensor<1, dim>                    gravity;
 
     void             check_nose() const;
+    Tensor<1, dim>   evaluate_monitored(const Vector<double> &field) const;
     RigidMotion<dim> fit_head(const BodyState &state) const;
     SwimmerState     get_swimmer_state(const BodyState &state, double time, double step) const;
   };

@@ -36,6 +36,7 @@ namespace caudal
   {
     elastic,
     feedback,
+    gravity,
     muscle,
     gait
   };
@@ -72,9 +73,18 @@ namespace caudal
   template <int dim>
   std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &body);
 
-  /** int kappa (X_0 - X).N - eta U.N ds in the directions in which springs and dampers act. */
+  /**
+   * int kappa (X_h - X).N + eta (dX_h/dt - U).N ds in the directions in which springs and dampers
+   * act, X_h(s, t) being where they hold the body, X_0 unless that is prescribed to move; and
+   * likewise on the surface.
+   */
   template <int dim>
   std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &body);
+
+  /** int (rho_s - rho) g.N ds, the weight that the body has in excess of the fluid's. */
+  template <int dim>
+  std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &body,
+                                                const Tensor<1, dim> &gravity);
 
   /** int f_a.N ds - int F S_a : grad N ds: force density and active stress of the @p muscle. */
   template <int dim>

@@ -2,6 +2,7 @@
 #ifndef caudal_solid_rigid_motion_h
 #define caudal_solid_rigid_motion_h
 
+#include <caudal/solid/rigid_map.h>
 #include <caudal/solid/solid_body.h>
 
 namespace caudal
@@ -9,20 +10,6 @@ namespace caudal
   /** Some nodes of a body. */
   template <int dim>
   using Nodes = std::vector<typename SolidBody<dim>::Node>;
-
-  /** The motion x = center + rotation (s - reference_center). */
-  template <int dim>
-  struct RigidMotion
-  {
-    Tensor<2, dim> rotation;
-    Tensor<1, dim> reference_center, center;
-
-    /** Where the motion takes the place @p s. */
-    Tensor<1, dim> apply(const Tensor<1, dim> &s) const
-    {
-      return center + rotation * (s - reference_center);
-    }
-  };
 
   /**
    * The rigid motion that maps the nodal field @p reference on @p x best: in

@@ -41,6 +41,10 @@ namespace caudal
   template <int dim>
   Tensor<1, dim> sum_up(const SolidBody<dim> &body, const Vector<double> &forces);
 
+  /** int (rho_s - rho) g.N ds, the weight that the body has in excess of the fluid's. */
+  template <int dim>
+  Vector<double> compute_excess_weight(const SolidBody<dim> &body, const Tensor<1, dim> &gravity);
+
   template <std::size_t dim>
   void set_value(Vector<double> &field, const std::array<unsigned int, dim> &node,
                  const Tensor<1, static_cast<int>(dim)> &value)
@@ -87,13 +91,25 @@ namespace caudal
     {
       return dof_handler.n_dofs();
     }
-    /** Whether this unknown's node belongs to a region that stays where it is. */
+    /** Whether this unknown's node belongs to a region whose points are where they are told to be.
+     */
     bool is_fixed(const unsigned int dof) const
     {
       return fixed_dofs[dof];
     }
-    /** Puts the nodes of fixed regions back to where they were at the start. */
-    void restore_fixed_nodes(Vector<double> &positions) const;
+    /** Removes what acts on the nodes of fixed regions, which is borne by their support. */
+    void clear_fixed_nodes(Vector<double> &force) const;
+    /** Removes the rows of these nodes. */
+    void clear_fixed_nodes(SparseMatrix<double> &matrix) const;
+
+    /** Where what holds the nodes wants them to be at @p time: X_0 if it does not move. */
+    Vector<double> compute_held_positions(double time) const;
+
+    /** Puts the nodes of fixed regions to where they are held at @p time. */
+    void restore_fixed_nodes(Vector<double> &positions, double time) const;
+
+    /** Whether what holds the nodes moves. */
+    bool has_moving_places() const;
 
     const Material<dim> &get_material(const unsigned int region) const
     {
@@ -103,7 +119,7 @@ namespace caudal
     /** kappa_v, the modulus of the energy of the cells' volumes in a region [Pa]. */
     double get_cell_volume_stabilisation(const unsigned int region) const
     {
-      return parameters.region_parameters[region]->cell_volume_stabilisation;
+      return cell_volume_stabilisations[region];
     }
 
     /** M_s = int N_a N_b ds. */
@@ -121,7 +137,10 @@ namespace caudal
     {
       return coupling_mass;
     }
-    /** int kappa N_a N_b ds in the directions in which the feedback force acts. */
+    /**
+     * int kappa N_a N_b ds in the directions in which the feedback force acts, and the springs of
+     * the surface.
+     */
     const SparseMatrix<double> &get_feedback_stiffness() const
     {
       return feedback_stiffness;
@@ -218,6 +237,7 @@ namespace caudal
     const FESystem<dim>                         element;
     DoFHandler<dim>                             dof_handler;
     std::vector<std::unique_ptr<Material<dim>>> materials;
+    std::vector<double>                         cell_volume_stabilisations; // by region
     SparsityPattern                             pattern;
     SparseMatrix<double>                        mass, coupling_mass;
     SparseMatrix<double>                        feedback_stiffness, feedback_damping;
@@ -227,6 +247,8 @@ namespace caudal
     std::vector<Node>                           nodes, head_nodes;
     std::vector<Point<dim>>                     reference_points;
     std::vector<bool>                           fixed_dofs;
+    std::vector<PrescribedPlace<dim>>           places;           // by region
+    std::vector<unsigned int>                   regions_of_nodes; // that hold them
     Vector<double>                              initial_positions, nodal_volumes;
 
     struct PointValue
@@ -239,6 +261,8 @@ namespace caudal
     void set_up_nodes();
     void set_up_quadrature();
     void assemble_matrices();
+    void add_surface_springs(const std::string &entry, const std::string &coefficient,
+                             SparseMatrix<double> &matrix) const;
     void assemble_coupling_mass();
   };
 } // namespace caudal

@@ -4,6 +4,7 @@
 
 #include <caudal/mesh/body_grid.h>
 #include <caudal/solid/material.h>
+#include <caudal/solid/prescribed_place.h>
 
 #include <memory>
 
@@ -40,16 +41,24 @@ namespace caudal
     std::unique_ptr<Material<dim>> create_bare(const std::string &path) const;
   };
 
-  /** Section `Body <name>/Region <name>`: material and feedback force of a part of the body. */
+  /** Section `Body <name>/Region <name>`: material of a part of the body, and what holds it. */
   template <int dim>
   struct RegionParameters
   {
     MaterialParameters<dim> material;
-    double                  cell_volume_stabilisation = 0;
+    std::string             cell_volume_stabilisation = "automatic";
     double                  feedback_stiffness        = 0;
     double                  feedback_damping          = 0;
     std::string             feedback_directions       = "xyz";
     std::string             motion                    = "free";
+
+    PrescribedPlaceParameters<dim> place;
+
+    /** Whether its points are where they are prescribed to be. */
+    bool is_fixed() const
+    {
+      return motion != "free";
+    }
 
     void add_parameters(ParameterHandler &prm);
     void check(const std::string &path) const;
@@ -67,6 +76,7 @@ namespace caudal
     double                  density           = 0;
     std::vector<Point<dim>> monitored_points;
     std::string             traction; // of SurfaceLoad
+    std::string             surface_spring, surface_damper;
 
     BodyGridParameters<dim>                             grid;
     std::vector<std::unique_ptr<RegionParameters<dim>>> region_parameters;
@@ -86,6 +96,9 @@ namespace caudal
 
     /** beta, the weight of the surface in the coupling to the fluid: see get_coupling_mass(). */
     double get_surface_weight() const;
+
+    /** kappa_v, the modulus of the energy of the cells' volumes in a region [Pa]. */
+    double get_cell_volume_stabilisation(unsigned int region) const;
 
     std::string get_path() const
     {

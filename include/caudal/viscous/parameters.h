@@ -24,7 +24,7 @@ namespace caudal
      * can't change in the middle of a run, as a regular expression.
      */
     static constexpr const char *fixed_entries =
-        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Control volume|"
+        "Model|Dimension|Bodies|Domain/.*|Time/Scheme|Fluid/Control volume|Fluid/Gravity|"
         "Fluid/Exact solution|Body [^/]*/(Regions|Polynomial degree|"
         "Region [^/]*/Motion|Shape/.*|Muscle/Type|Gait/Type)";
 
