@@ -101,6 +101,14 @@ namespace caudal
       integrate(tangent_rate, bend_rate, velocity);
     }
 
+    /** The piece of the spine in which s lies, and where in it, from 0 to 1. */
+    std::pair<unsigned int, double> find_piece(const Midline &spine, const double s)
+    {
+      const auto piece =
+          std::min(static_cast<unsigned int>(s / spine.spacing), Midline::n_pieces - 1);
+      return {piece, s / spine.spacing - piece};
+    }
+
     /** n of PrescribedMotion and its derivative by the curvature. */
     std::pair<double, double> bend_section(const double eta, const double right, const double left,
                                            const double kappa)
@@ -116,6 +124,21 @@ namespace caudal
       return {n, (n * n - h_squared) / (2. * (1. - kappa * n))};
     }
   } // namespace
+
+  std::vector<SpinePoint> compute_spine_points(const Gait &gait, const std::vector<double> &s,
+                                               const double time)
+  {
+    const Midline           spine(gait, time);
+    std::vector<SpinePoint> points;
+    for (const double place : s)
+    {
+      const auto [piece, x] = find_piece(spine, place);
+      points.push_back(
+          {Point<2>(interpolate(spine.place, spine.tangent, spine.spacing, piece, x).first),
+           interpolate(spine.theta_rate, spine.curvature_rate, spine.spacing, piece, x).first});
+    }
+    return points;
+  }
 
   template <int dim>
   PrescribedMotion<dim>::PrescribedMotion(const Gait                        &gait,
@@ -158,12 +181,10 @@ namespace caudal
     State         motion;
     for (const auto &[point, right, left] : points)
     {
-      const double inside = std::clamp(point[0], 0., gait.get_length());
-      const double beyond = point[0] - inside;
-      const auto   piece =
-          std::min(static_cast<unsigned int>(inside / spine.spacing), Midline::n_pieces - 1);
-      const double x        = inside / spine.spacing - piece;
-      const auto   at_point = [&](const auto &values, const auto &slopes) {
+      const double inside   = std::clamp(point[0], 0., gait.get_length());
+      const double beyond   = point[0] - inside;
+      const auto [piece, x] = find_piece(spine, inside);
+      const auto at_point   = [&, piece = piece, x = x](const auto &values, const auto &slopes) {
         return interpolate(values, slopes, spine.spacing, piece, x);
       };
       auto [theta, kappa]           = at_point(spine.theta, spine.curvature);

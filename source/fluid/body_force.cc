@@ -13,21 +13,22 @@ namespace caudal
   {}
 
   template <int dim>
-  void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const double time)
+  void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant)
   {
     if (are_zero())
       return;
     const auto     &element = dofs.get_fe();
     Expression<dim> function("Fluid/Body force", parameters.body_force, dim);
-    function.set_time(time);
-    FEValues<dim>  values(element, QGauss<dim>(element.degree + 1),
-                          update_values | update_quadrature_points | update_JxW_values);
-    Vector<double> force(dim);
-    CellLoads<dim>::update(dofs, time, [&](const auto &cell, double *load) {
+    function.set_time(instant.time);
+    const Tensor<1, dim> origin = restrict_to<dim>(instant.origin);
+    FEValues<dim>        values(element, QGauss<dim>(element.degree + 1),
+                                update_values | update_quadrature_points | update_JxW_values);
+    Vector<double>       force(dim);
+    CellLoads<dim>::update(dofs, instant, [&](const auto &cell, double *load) {
       values.reinit(cell);
       for (const unsigned int q : values.quadrature_point_indices())
       {
-        function.vector_value(values.quadrature_point(q), force);
+        function.vector_value(values.quadrature_point(q) + origin, force);
         for (const unsigned int i : values.dof_indices())
         {
           const unsigned int d = element.system_to_component_index(i).first;

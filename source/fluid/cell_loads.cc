@@ -10,10 +10,10 @@ namespace caudal
   }
 
   template <int dim>
-  void CellLoads<dim>::update(const DoFHandler<dim> &dofs, const double new_time,
+  void CellLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant,
                               const std::function<void(const Cell &, double *)> &add)
   {
-    if (is_valid && time == new_time)
+    if (is_valid && valid_instant == instant)
       return;
     is_valid   = false;
     n_per_cell = dofs.get_fe().n_dofs_per_cell();
@@ -21,8 +21,8 @@ namespace caudal
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         add(cell, &loads[cell->active_cell_index() * n_per_cell]);
-    time     = new_time;
-    is_valid = true;
+    valid_instant = instant;
+    is_valid      = true;
   }
 
   template class CellLoads<2>;

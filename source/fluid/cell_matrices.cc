@@ -172,20 +172,22 @@ namespace caudal
   }
 
   template <int dim>
-  double CellMatrices<dim>::compute_stabilisation_dissipation(const Vector<double> &velocity,
-                                                              const double          density,
-                                                              const double          stabilisation,
-                                                              const double          rate) const
+  double CellMatrices<dim>::compute_stabilisation_dissipation(
+      const Vector<double> &velocity, const double density, const double stabilisation,
+      const double rate, const Tensor<1, dim> &grid_velocity) const
   {
     const unsigned int n_s = values.n(), n_q = values.m();
-    const NodalVectors u       = get_nodal_vectors(velocity);
-    double             squares = 0;
-    Tensor<1, dim>     moments[dim + 1];
+    const NodalVectors u         = get_nodal_vectors(velocity);
+    NodalVectors       transport = u; // through the grid
+    for (unsigned int i = 0; i < n_s; ++i)
+      transport[i] -= grid_velocity;
+    double         squares = 0;
+    Tensor<1, dim> moments[dim + 1];
     for (unsigned int q = 0; q < n_q; ++q)
     {
-      Tensor<1, dim> w, derivative; // u and u.grad u at the point
+      Tensor<1, dim> w, derivative; // transport w and w.grad u at the point
       for (unsigned int i = 0; i < n_s; ++i)
-        w += values(q, i) * u[i];
+        w += values(q, i) * transport[i];
       for (unsigned int i = 0; i < n_s; ++i)
         derivative += (w * gradients[q][i]) * u[i];
       squares += point_weight[q] * derivative.norm_square();
@@ -195,7 +197,7 @@ namespace caudal
     // What is left without the linear part: |k(.)|^2.
     for (const Tensor<1, dim> &moment : moments)
       squares -= moment.norm_square();
-    return compute_stabilisation_weight(u, density, stabilisation, rate) * squares;
+    return compute_stabilisation_weight(transport, density, stabilisation, rate) * squares;
   }
 
   template class CellMatrices<2>;

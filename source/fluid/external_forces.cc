@@ -100,11 +100,11 @@ namespace caudal
 
   template <int dim>
   double compute_external_power(const FluidSpace<dim> &space, const FluidState<dim> &state,
-                                const double time)
+                                const Instant &instant, const Tensor<1, dim> &grid_velocity)
   {
     const auto                &parameters = space.get_parameters();
-    const BodyForceLoads<dim> &body_force = space.get_body_force_loads(time);
-    const SideLoads<dim>      &tractions  = space.get_side_loads(time);
+    const BodyForceLoads<dim> &body_force = space.get_body_force_loads(instant);
+    const SideLoads<dim>      &tractions  = space.get_side_loads(instant);
     FaceFlow<dim>              flow(space, state);
     Vector<double>             values(space.velocity_element.n_dofs_per_cell());
     double                     power     = 0;
@@ -124,11 +124,11 @@ namespace caudal
         add_loads(tractions.get(cell));
       for (const unsigned int f : cell->face_indices())
       {
-        if (!cell->face(f)->at_boundary())
+        if (!cell->face(f)->at_boundary() || space.is_periodic(f / 2))
           continue;
-        // There is none through walls and symmetry planes.
+        // There is none through walls and symmetry planes, unless they move through the fluid.
         const auto &condition = space.get_boundary_condition(cell->face(f)->boundary_id());
-        if (!condition.has_velocity() && !condition.is_open())
+        if (!condition.has_velocity() && !condition.is_open() && grid_velocity.norm() == 0.)
           continue;
         flow.reinit(cell, f);
         power += flow.integrate([&](const auto &u, const auto &n, const auto &traction) {
@@ -145,10 +145,11 @@ namespace caudal
   template <int dim>
   MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim>  &space,
                                                 const FluidState<dim>  &state,
-                                                const BoundingBox<dim> &box, const double time)
+                                                const BoundingBox<dim> &box, const Instant &instant,
+                                                const Tensor<1, dim> &grid_velocity)
   {
     const double               density    = space.get_parameters().density;
-    const BodyForceLoads<dim> &body_force = space.get_body_force_loads(time);
+    const BodyForceLoads<dim> &body_force = space.get_body_force_loads(instant);
     const FESystem<dim>       &element    = space.velocity_element;
     const unsigned int         n = element.n_dofs_per_cell(), n_s = n / dim;
     FaceFlow<dim>              flow(space, state);
@@ -183,7 +184,7 @@ namespace caudal
         flow.reinit(cell, f);
         balance.force += (is_inside ? 1. : -1.) *
                          flow.integrate([&](const auto &u, const auto &n, const auto &traction) {
-                           return traction - density * (u * n) * u;
+                           return traction - density * ((u - grid_velocity) * n) * u;
                          });
       }
     }
@@ -195,9 +196,10 @@ namespace caudal
 
 #define INSTANTIATE(dim)                                                                           \
   template double compute_external_power(const FluidSpace<dim> &, const FluidState<dim> &,         \
-                                         double);                                                  \
+                                         const Instant &, const Tensor<1, dim> &);                 \
   template MomentumBalance<dim> compute_momentum_balance(                                          \
-      const FluidSpace<dim> &, const FluidState<dim> &, const BoundingBox<dim> &, double);
+      const FluidSpace<dim> &, const FluidState<dim> &, const BoundingBox<dim> &, const Instant &, \
+      const Tensor<1, dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

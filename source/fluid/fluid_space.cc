@@ -33,7 +33,7 @@ namespace caudal
       , triangulation(triangulation)
       , parameters(parameters)
       , grad_div(grad_div)
-      , domain_size(domain.size)
+      , domain(domain)
       , boundary_conditions(parameters.create_boundary_conditions())
       , body_force_loads(parameters)
       , side_loads(boundary_conditions)
@@ -51,7 +51,7 @@ namespace caudal
     pressure_dofs.distribute_dofs(pressure_element);
     homogeneous_constraints.copy_from(make_constraints(
         [](const unsigned int) { return std::make_unique<Functions::ZeroFunction<dim>>(dim); }));
-    constraints_time.reset();
+    constraints_instant.reset();
     for (auto [dofs, layout] : {std::make_pair(&velocity_dofs, &velocity_layout),
                                 std::make_pair(&pressure_dofs, &pressure_layout)})
       *layout = std::make_shared<Utilities::MPI::Partitioner>(
@@ -60,18 +60,18 @@ namespace caudal
   }
 
   template <int dim>
-  const AffineConstraints<double> &FluidSpace<dim>::get_constraints(const double time) const
+  const AffineConstraints<double> &FluidSpace<dim>::get_constraints(const Instant &instant) const
   {
     if (!has_velocity())
       return homogeneous_constraints;
-    if (constraints_time != time)
+    if (!constraints_instant || *constraints_instant != instant)
     {
-      constraints_time.reset(); // until they are whole
-      constraints.copy_from(make_constraints(time, 1));
-      outflow_factor = balances_fluxes() ? compute_outflow_factor(time) : 1;
+      constraints_instant.reset(); // until they are whole
+      constraints.copy_from(make_constraints(instant, 1));
+      outflow_factor = balances_fluxes() ? compute_outflow_factor(instant) : 1;
       if (outflow_factor != 1)
-        constraints.copy_from(make_constraints(time, outflow_factor));
-      constraints_time = time;
+        constraints.copy_from(make_constraints(instant, outflow_factor));
+      constraints_instant = instant;
     }
     return constraints;
   }
@@ -92,24 +92,25 @@ namespace caudal
   }
 
   template <int dim>
-  double FluidSpace<dim>::get_outflow_factor(const double time) const
+  double FluidSpace<dim>::get_outflow_factor(const Instant &instant) const
   {
-    get_constraints(time);
+    get_constraints(instant);
     return outflow_factor;
   }
 
   template <int dim>
-  double FluidSpace<dim>::compute_outflow_factor(const double time) const
+  double FluidSpace<dim>::compute_outflow_factor(const Instant &instant) const
   {
     const BoundaryFlux flux = compute_boundary_flux(*this, constraints); // with a factor of one
     if (std::abs(flux.net) <= round_off * flux.total)
       return 1;
     // The flux is linear in the factor.
-    const double       inflow  = -compute_boundary_flux(*this, make_constraints(time, 0)).net;
+    const double       inflow  = -compute_boundary_flux(*this, make_constraints(instant, 0)).net;
     const double       outflow = flux.net + inflow;
     std::ostringstream text;
-    text << "Fluid/Boundary conditions: at t = " << time << " s the prescribed velocities let "
-         << std::abs(flux.net) << (dim == 2 ? " m^2/s" : " m^3/s") << " more "
+    text << "Fluid/Boundary conditions: at t = " << instant.time
+         << " s the prescribed velocities let " << std::abs(flux.net)
+         << (dim == 2 ? " m^2/s" : " m^3/s") << " more "
          << (flux.net < 0 ? "in than out" : "out than in")
          << ", and no side is open: there is no incompressible flow. Set a side to outflow, or "
             "give velocities whose fluxes cancel.";
@@ -118,13 +119,34 @@ namespace caudal
   }
 
   template <int dim>
-  AffineConstraints<double> FluidSpace<dim>::make_constraints(const double time,
-                                                              const double factor) const
+  AffineConstraints<double> FluidSpace<dim>::make_constraints(const Instant &instant,
+                                                              const double   factor) const
   {
     return make_constraints([&](const unsigned int side) {
-      return std::make_unique<ScaledOutflow<dim>>(boundary_conditions[side]->make_velocity(time),
-                                                  side, factor);
+      return std::make_unique<ScaledOutflow<dim>>(
+          std::make_unique<FunctionOnGrid<dim>>(
+              boundary_conditions[side]->make_velocity(instant.time), instant.origin),
+          side, factor);
     });
+  }
+
+  template <int dim>
+  void FluidSpace<dim>::add_uniform(const Tensor<1, dim> &velocity, FieldVector &field) const
+  {
+    const unsigned int                   n = velocity_element.n_dofs_per_cell();
+    std::vector<types::global_dof_index> dofs(n);
+    FieldVector                          uniform = make_velocity_vector();
+    for (const auto &cell : velocity_dofs.active_cell_iterators())
+    {
+      if (cell->is_artificial())
+        continue;
+      cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < n; ++i)
+        if (uniform.in_local_range(dofs[i]))
+          uniform[dofs[i]] = velocity[velocity_element.system_to_component_index(i).first];
+    }
+    field += uniform;
+    field.update_ghost_values();
   }
 
   template <int dim>
@@ -133,6 +155,9 @@ namespace caudal
     AffineConstraints<double> result = compatibility::make_constraints(
         velocity_dofs.locally_owned_dofs(), DoFTools::extract_locally_relevant_dofs(velocity_dofs));
     DoFTools::make_hanging_node_constraints(velocity_dofs, result);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (domain.is_periodic(d))
+        DoFTools::make_periodicity_constraints(velocity_dofs, 2 * d, 2 * d + 1, d, result);
 
     std::vector<unsigned int> sides(boundary_conditions.size());
     std::iota(sides.begin(), sides.end(), 0);
@@ -142,6 +167,8 @@ namespace caudal
     run_on_all(get_communicator(), [&]() {
       for (const unsigned int side : sides)
       {
+        if (domain.is_periodic(side / 2))
+          continue;
         const ComponentMask components =
             boundary_conditions[side]->get_prescribed_components(/*normal=*/side / 2);
         if (components.n_selected_components(dim) == 0)
@@ -159,7 +186,7 @@ namespace caudal
   {
     double volume = 1;
     for (unsigned int d = 0; d < dim; ++d)
-      volume *= domain_size[d];
+      volume *= domain.size[d];
     return volume * dim / velocity_dofs.n_dofs();
   }
 

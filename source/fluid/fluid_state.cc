@@ -22,7 +22,8 @@ namespace caudal
   }
 
   template <int dim>
-  FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity)
+  FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity,
+                                  const Tensor<1, dim> &grid_velocity)
   {
     const FESystem<dim>        &element    = space.velocity_element;
     const auto                 &parameters = space.get_parameters();
@@ -52,8 +53,9 @@ namespace caudal
         {
           summary.largest_velocity = std::max(summary.largest_velocity, u.norm());
           for (unsigned int d = 0; d < dim; ++d)
-            summary.largest_rate = std::max(summary.largest_rate,
-                                            std::abs(u[d]) / (0.5 * matrices.get_cell_size()[d]));
+            summary.largest_rate =
+                std::max(summary.largest_rate,
+                         std::abs(u[d] - grid_velocity[d]) / (0.5 * matrices.get_cell_size()[d]));
         }
       }
     MPI_Comm communicator       = space.get_communicator();
@@ -94,7 +96,8 @@ namespace caudal
 
   template <int dim>
   double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
-                                           const FieldVector &velocity, const double rate)
+                                           const FieldVector &velocity, const double rate,
+                                           const Tensor<1, dim> &grid_velocity)
   {
     const auto    &parameters = space.get_parameters();
     Vector<double> values(space.velocity_element.n_dofs_per_cell());
@@ -104,20 +107,21 @@ namespace caudal
         if (cell->is_locally_owned())
         {
           cell->get_dof_values(velocity, values);
-          dissipation +=
-              space.get_cell_matrices(cell->level())
-                  .compute_stabilisation_dissipation(values, parameters.density,
-                                                     parameters.convection_stabilisation, rate);
+          dissipation += space.get_cell_matrices(cell->level())
+                             .compute_stabilisation_dissipation(values, parameters.density,
+                                                                parameters.convection_stabilisation,
+                                                                rate, grid_velocity);
         }
     return Utilities::MPI::sum(dissipation, space.get_communicator());
   }
 
 #define INSTANTIATE(dim)                                                                           \
   template struct FluidState<dim>;                                                                 \
-  template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &);          \
+  template FlowSummary<dim> summarise_flow(const FluidSpace<dim> &, const FieldVector &,           \
+                                           const Tensor<1, dim> &);                                \
   template double           compute_kinetic_energy(const FluidSpace<dim> &, const FieldVector &);  \
   template double compute_stabilisation_dissipation(const FluidSpace<dim> &, const FieldVector &,  \
-                                                    double);
+                                                    double, const Tensor<1, dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

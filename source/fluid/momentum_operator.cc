@@ -89,8 +89,8 @@ namespace caudal
           , transport(values.size())
           , pressures(space.pressure_element.n_dofs_per_cell())
           , convection(values.size() / dim, values.size() / dim)
-          , body_force(space.get_body_force_loads(step.time))
-          , tractions(space.get_side_loads(step.time))
+          , body_force(space.get_body_force_loads(step.instant))
+          , tractions(space.get_side_loads(step.instant))
           , face(space.velocity_element.base_element(0), QGauss<dim - 1>(3),
                  update_values | update_JxW_values)
       {

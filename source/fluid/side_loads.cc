@@ -33,18 +33,19 @@ namespace caudal
   }
 
   template <int dim>
-  void SideLoads<dim>::update(const DoFHandler<dim> &dofs, const double time)
+  void SideLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant)
   {
     if (are_zero())
       return;
     std::vector<std::unique_ptr<Function<dim>>> tractions;
     for (unsigned int side = 0; side < conditions.size(); ++side)
-      tractions.push_back(conditions[side]->make_traction(get_normal<dim>(side), time));
+      tractions.push_back(conditions[side]->make_traction(get_normal<dim>(side), instant.time));
 
-    const auto       &element = dofs.get_fe();
-    FEFaceValues<dim> values(element, QGauss<dim - 1>(element.degree + 1),
-                             update_values | update_quadrature_points | update_JxW_values);
-    CellLoads<dim>::update(dofs, time, [&](const auto &cell, double *load) {
+    const auto          &element = dofs.get_fe();
+    const Tensor<1, dim> origin  = restrict_to<dim>(instant.origin);
+    FEFaceValues<dim>    values(element, QGauss<dim - 1>(element.degree + 1),
+                                update_values | update_quadrature_points | update_JxW_values);
+    CellLoads<dim>::update(dofs, instant, [&](const auto &cell, double *load) {
       for (const unsigned int f : cell->face_indices())
       {
         if (!cell->at_boundary(f) || !tractions[cell->face(f)->boundary_id()])
@@ -53,7 +54,7 @@ namespace caudal
         values.reinit(cell, f);
         for (const unsigned int q : values.quadrature_point_indices())
           for (const unsigned int i : values.dof_indices())
-            load[i] += traction.value(values.quadrature_point(q),
+            load[i] += traction.value(values.quadrature_point(q) + origin,
                                       element.system_to_component_index(i).first) *
                        values.shape_value(i, q) * values.JxW(q);
       }

@@ -29,6 +29,19 @@ namespace caudal
   }
 
   template <int dim>
+  typename CellLattice<dim>::Coordinates CellLattice<dim>::wrap(Coordinates        coordinates,
+                                                                const unsigned int level) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (domain.is_periodic(d))
+      {
+        const int n    = domain.cells[d] << level;
+        coordinates[d] = ((coordinates[d] % n) + n) % n;
+      }
+    return coordinates;
+  }
+
+  template <int dim>
   Point<dim> CellLattice<dim>::get_lower_corner(const Coordinates &coordinates,
                                                 const unsigned int level) const
   {
@@ -55,6 +68,7 @@ namespace caudal
       const auto &[lower, upper] = box.get_boundary_points();
       any_cell_between(lattice.get_coordinates(lower - slack, finest),
                        lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
+                         cell = lattice.wrap(cell, finest);
                          if (lattice.is_inside(cell, finest))
                            // Once an ancestor is known, so are all above it.
                            for (int level = finest; level >= 0 && cells[level].insert(cell).second;
@@ -111,9 +125,9 @@ namespace caudal
   const typename FinestCells<dim>::Cell *
   FinestCells<dim>::find(const Coordinates &coordinates) const
   {
-    const auto entry = lattice.is_inside(coordinates, lattice.get_finest_level())
-                           ? cells.find(coordinates)
-                           : cells.end();
+    const unsigned int finest  = lattice.get_finest_level();
+    const Coordinates  wrapped = lattice.wrap(coordinates, finest);
+    const auto entry = lattice.is_inside(wrapped, finest) ? cells.find(wrapped) : cells.end();
     return entry == cells.end() ? nullptr : &entry->second;
   }
 
@@ -130,6 +144,12 @@ namespace caudal
       // Numbers that no integer holds are clipped before they become one.
       const double begin = std::floor((lower[d] - origin[d]) / size[d] - margin);
       const double end   = std::floor((upper[d] - origin[d]) / size[d] + margin);
+      if (lattice.is_periodic(d) && std::abs(begin) < 1e9 && std::abs(end) < 1e9)
+      {
+        first[d] = begin;
+        last[d]  = end;
+        continue;
+      }
       if (!(begin <= highest[d] && end >= lowest[d]))
         return false;
       first[d] = std::max<double>(begin, lowest[d]);

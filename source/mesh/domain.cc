@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
+#include <caudal/base/expression.h>
 #include <caudal/mesh/domain.h>
 
 #include <deal.II/distributed/p4est_wrappers.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
 
@@ -27,6 +29,28 @@ namespace caudal
     prm.add_parameter("Levels", levels,
                       "Number of refinement levels, the coarse grid included [1].",
                       Patterns::Integer(1));
+    prm.add_parameter("Periodic directions", periodic_directions,
+                      "Directions in which the domain repeats itself, letters of xyz: what leaves "
+                      "it on one side comes back on the other, bodies, too, whose positions go on "
+                      "counting. Such sides have no boundary conditions.",
+                      Patterns::Selection("none|x|y|z|xy|xz|yz|xyz"));
+    prm.add_parameter(
+        "Frame", frame,
+        "How the grid moves, with all that is said of places in it: levels, probes, control "
+        "volume. "
+        "fixed: not at all; moving: by Frame velocity; the name of a body: it follows its centre "
+        "of "
+        "mass, smoothly, so that a fish has always the same room ahead. Velocities are absolute, "
+        "bodies and fields are reported where they are in the laboratory, and sides keep their "
+        "conditions: a wall lets fluid pass as it moves and holds what touches it.",
+        Patterns::Anything());
+    prm.add_parameter("Frame velocity", frame_velocity,
+                      "Velocity of a moving grid [m/s], functions of t, components separated by "
+                      "';'.",
+                      Patterns::Anything());
+    prm.add_parameter("Frame time", frame_time,
+                      "Time in which the grid comes after the body that it follows [s]; 0: a beat, "
+                      "if the parameters tell how long it takes, else 1 s.");
     prm.leave_subsection();
   }
 
@@ -36,6 +60,13 @@ namespace caudal
     for (unsigned int d = 0; d < dim; ++d)
       check_positive("Domain/Size", size[d], "Give positive lengths [m].");
     check_between("Domain/Levels", levels, 1, 12, "Give 1 to 12.");
+    AssertThrow(dim == 3 || periodic_directions.find('z') == std::string::npos,
+                ExcMessage("Domain/Periodic directions: the value is " + periodic_directions +
+                           ", and z is normal to the plane. Give none, x, y or xy."));
+    for (unsigned int d = 0; d < dim; ++d)
+      AssertThrow(!is_periodic(d) || cells[d] > 1,
+                  ExcMessage("Domain/Cells: there is one coarse cell in a periodic direction. Give "
+                             "two at least."));
     const Tensor<1, dim> edges   = get_cell_size(0);
     std::string          squares = std::to_string(cells[0]);
     for (unsigned int d = 1; d < dim; ++d)
@@ -45,6 +76,28 @@ namespace caudal
                   ExcMessage("Domain/Cells: the cells have edges of " + std::to_string(edges[0]) +
                              " m and " + std::to_string(edges[d]) +
                              " m, and have to be nearly square. Give " + squares + "."));
+  }
+
+  template <int dim>
+  void DomainParameters<dim>::check_frame(const std::vector<std::string> &bodies,
+                                          const bool                      is_explicit) const
+  {
+    AssertThrow(frame == "fixed" || frame == "moving" ||
+                    std::find(bodies.begin(), bodies.end(), frame) != bodies.end(),
+                ExcMessage("Domain/Frame: the value is <" + frame +
+                           ">. Give fixed, moving or the name of a body."));
+    AssertThrow(!has_moving_frame() || !is_explicit,
+                ExcMessage("Domain/Frame: a grid that moves needs Time/Scheme = semi-implicit."));
+    AssertThrow(
+        (frame == "moving") == !frame_velocity.empty(),
+        ExcMessage(frame == "moving"
+                       ? "Domain/Frame velocity: it is empty. Give the velocity of the moving "
+                         "grid."
+                       : "Domain/Frame velocity: it belongs to Frame = moving. Set that, or "
+                         "leave it empty."));
+    if (frame == "moving")
+      Expression<dim>("Domain/Frame velocity", frame_velocity, dim);
+    check_not_negative("Domain/Frame time", frame_time, "Give a positive time [s], or 0.");
   }
 
   std::vector<std::string> get_side_names(const unsigned int dim)
@@ -62,6 +115,12 @@ namespace caudal
                                               parameters.lower_corner,
                                               parameters.lower_corner + parameters.size,
                                               /*colorize=*/true);
+    std::vector<GridTools::PeriodicFacePair<typename Triangulation<dim>::cell_iterator>> pairs;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (parameters.is_periodic(d))
+        GridTools::collect_periodic_faces(triangulation, 2 * d, 2 * d + 1, d, pairs);
+    if (!pairs.empty())
+      triangulation.add_periodicity(pairs);
   }
 
   template <int dim>

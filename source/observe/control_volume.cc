@@ -69,7 +69,8 @@ namespace caudal
     if (!is_active())
       return;
     const auto balance =
-        compute_momentum_balance(observation.space, observation.fluid, get_box(), observation.time);
+        compute_momentum_balance(observation.space, observation.fluid, get_box(),
+                                 observation.get_instant(), observation.report.grid_velocity);
     momentum.add(observation.time, balance.momentum - compute_body_momentum(observation));
     impulse += 0.5 * momentum.get_step() * (other_forces + balance.force) - momentum.get_change();
     other_forces = balance.force;
@@ -89,7 +90,8 @@ namespace caudal
     if (!is_active() || momentum.is_empty())
       return;
     const auto balance =
-        compute_momentum_balance(observation.space, observation.fluid, get_box(), observation.time);
+        compute_momentum_balance(observation.space, observation.fluid, get_box(),
+                                 observation.get_instant(), observation.report.grid_velocity);
     momentum.shift(balance.momentum - compute_body_momentum(observation) - momentum.get_last());
   }
 
@@ -116,7 +118,8 @@ namespace caudal
     for (const auto &[body, state, report] : observation.bodies)
       for (const auto &node : body.get_solid().get_nodes())
       {
-        const Point<dim> point = get_value(state.positions, node);
+        const Point<dim> point =
+            get_value(state.positions, node) - restrict_to<dim>(observation.origin);
         if (!is_in(point - support) || !is_in(point + support))
           return false;
       }

@@ -39,11 +39,15 @@ namespace caudal
   {
     const StepReport<dim> &report = observation.report;
     Powers                 now;
-    now.numerical_dissipation = report.flow.grad_div_dissipation +
-                                compute_stabilisation_dissipation(
-                                    observation.space, observation.fluid.velocity, report.rate);
+    now.numerical_dissipation =
+        report.flow.grad_div_dissipation +
+        compute_stabilisation_dissipation(observation.space, observation.fluid.velocity,
+                                          report.rate, report.grid_velocity);
     now.dissipation = report.flow.viscous_dissipation + now.numerical_dissipation;
-    now.external = compute_external_power(observation.space, observation.fluid, observation.time);
+    now.external    = compute_external_power(observation.space, observation.fluid,
+                                             observation.get_instant(), report.grid_velocity);
+    for (const auto &body : observation.bodies)
+      now.external -= body.report.power_on_sides;
     const double half_step = 0.5 * observation.step;
     ledger.dissipation += half_step * (last.dissipation + now.dissipation) + report.damping;
     ledger.numerical_dissipation +=

@@ -44,10 +44,12 @@ namespace caudal
           return;
         Expression<dim> exact = make_solution();
         exact.set_time(observation.time);
-        const auto get_part = [&](const unsigned int begin, const unsigned int end) {
+        const Tensor<1, dim> origin   = restrict_to<dim>(observation.origin);
+        const auto           get_part = [&](const unsigned int begin, const unsigned int end) {
           std::vector<std::function<double(const Point<dim> &)>> components;
           for (unsigned int c = begin; c < end; ++c)
-            components.push_back([&exact, c](const Point<dim> &x) { return exact.value(x, c); });
+            components.push_back(
+                [&exact, origin, c](const Point<dim> &x) { return exact.value(x + origin, c); });
           return FunctionFromFunctionObjects<dim>(components);
         };
         const auto velocity = get_part(0, dim), pressure = get_part(dim, dim + 1);

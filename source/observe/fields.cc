@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/observe/observer.h>
 
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
@@ -35,6 +36,40 @@ namespace caudal
                 input.solution_gradients[q][j][i] - input.solution_gradients[q][i][j];
           }
       }
+    };
+
+    /** The grid where it is in the laboratory's frame. */
+    template <int dim>
+    class TranslatedMapping : public MappingQ<dim>
+    {
+    public:
+      explicit TranslatedMapping(const Tensor<1, dim> &translation)
+          : MappingQ<dim>(1)
+          , translation(translation)
+      {}
+
+      bool preserves_vertex_locations() const override
+      {
+        return false;
+      }
+
+      std::unique_ptr<Mapping<dim>> clone() const override
+      {
+        return std::make_unique<TranslatedMapping<dim>>(*this);
+      }
+
+    protected:
+      std::vector<Point<dim>> compute_mapping_support_points(
+          const typename Triangulation<dim>::cell_iterator &cell) const override
+      {
+        auto points = MappingQ<dim>::compute_mapping_support_points(cell);
+        for (Point<dim> &point : points)
+          point += translation;
+        return points;
+      }
+
+    private:
+      const Tensor<1, dim> translation;
     };
 
     /** Velocity, pressure and vorticity of the fluid, and of the bodies' motion and stresses. */
@@ -131,7 +166,11 @@ namespace caudal
         }
         data_out.add_data_vector(level, "level");
         data_out.add_data_vector(rank, "rank");
-        data_out.build_patches(n_subdivisions);
+        if (observation.grid_moves)
+          data_out.build_patches(TranslatedMapping<dim>(restrict_to<dim>(observation.origin)),
+                                 n_subdivisions);
+        else
+          data_out.build_patches(n_subdivisions);
         output->write(data_out, "fluid", observation.time, n_outputs, space.get_communicator());
       }
 

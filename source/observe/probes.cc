@@ -22,9 +22,11 @@ namespace caudal
       void add_parameters(ParameterHandler &prm) override
       {
         prm.enter_subsection("Fluid");
-        prm.add_parameter("Probes", points,
-                          "Points of the domain at which velocity and pressure become part of the "
-                          "statistics; coordinates separated by ',', points by ';' [m].");
+        prm.add_parameter(
+            "Probes", points,
+            "Points of the domain at which velocity and pressure become part of the "
+            "statistics; coordinates separated by ',', points by ';' [m]. They move with "
+            "Domain/Frame.");
         prm.leave_subsection();
       }
 

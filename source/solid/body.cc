@@ -170,11 +170,10 @@ namespace caudal
   }
 
   template <int dim>
-  std::map<LoadAccount, Vector<double>> Body<dim>::compute_forces(const BodyMotion &motion,
-                                                                  BodyResponse     *response) const
+  ForcesByAccount Body<dim>::compute_forces(const BodyMotion &motion, BodyResponse *response) const
   {
-    std::map<LoadAccount, Vector<double>> forces;
-    const auto                            add = [&](const bool is_feedback) {
+    ForcesByAccount forces;
+    const auto      add = [&](const bool is_feedback) {
       for (const auto &load : loads)
         if ((load->account == LoadAccount::feedback) == is_feedback)
         {
@@ -193,6 +192,21 @@ namespace caudal
         solid.clear_fixed_nodes(*matrix);
     add(true);
     return forces;
+  }
+
+  template <int dim>
+  Vector<double> Body<dim>::compute_gait_force(const Vector<double>  &force_density,
+                                               const ForcesByAccount &forces,
+                                               const Vector<double>  &acceleration) const
+  {
+    Vector<double> result(solid.n_dofs()), inertia(acceleration);
+    solid.get_coupling_mass().vmult(result, force_density);
+    for (const LoadAccount account :
+         {LoadAccount::elastic, LoadAccount::feedback, LoadAccount::gravity})
+      result -= forces.at(account);
+    inertia *= solid.get_excess_density();
+    solid.get_mass_matrix().vmult_add(result, inertia);
+    return result;
   }
 
   template <int dim>

@@ -289,18 +289,6 @@ namespace caudal
       const std::unique_ptr<Expression<dim>> traction;
     };
 
-    /** The rigid motion that lays a shape, given by the places of the nodes, over the body. */
-    template <int dim>
-    RigidMotion<dim> lay_over(const SolidBody<dim> &body, const std::vector<Point<dim>> &shape,
-                              const Vector<double> &positions)
-    {
-      const auto    &nodes = body.get_nodes();
-      Vector<double> field(body.n_dofs());
-      for (unsigned int n = 0; n < nodes.size(); ++n)
-        set_value(field, nodes[n], shape[n]);
-      return fit_rigid_motion(body, nodes, field, positions);
-    }
-
     // Errors of the shape are worked off within so many steps.
     constexpr double n_relaxation_steps = 10;
 
@@ -348,6 +336,17 @@ namespace caudal
       }
     };
   } // namespace
+
+  template <int dim>
+  RigidMotion<dim> lay_over(const SolidBody<dim> &body, const std::vector<Point<dim>> &shape,
+                            const Vector<double> &positions)
+  {
+    const auto    &nodes = body.get_nodes();
+    Vector<double> field(body.n_dofs());
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      set_value(field, nodes[n], shape[n]);
+    return fit_rigid_motion(body, nodes, field, positions);
+  }
 
   template <int dim>
   std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &body)
@@ -414,6 +413,8 @@ namespace caudal
   }
 
 #define INSTANTIATE(dim)                                                                           \
+  template RigidMotion<dim> lay_over(const SolidBody<dim> &, const std::vector<Point<dim>> &,      \
+                                     const Vector<double> &);                                      \
   template std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &);                   \
   template std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &);                  \
   template std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &,                   \

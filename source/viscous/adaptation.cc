@@ -18,17 +18,19 @@ namespace caudal
   {
     template <int dim>
     CellSet<dim> make_body_cells(const Operators<dim>         &operators,
-                                 const std::vector<BodyState> &states, const double margin)
+                                 const std::vector<BodyState> &states, const Frame &frame,
+                                 const double margin)
     {
       CellSet<dim> cells(operators.lattice);
       const double reach = operators.coupling.get_support() + margin;
       for (unsigned int b = 0; b < states.size(); ++b)
       {
         // Where the body is now and where it will be in a step or two.
-        Vector<double> next(states[b].positions);
-        next.sadd(2, -1, states[b].old_positions);
         const SolidBody<dim> &solid = operators.bodies[b]->get_solid();
-        cells.add(solid.compute_cell_boxes(states[b].positions), reach);
+        const Vector<double>  now   = place_on_grid(solid, states[b].positions, frame.origin);
+        Vector<double>        next(now);
+        next.sadd(2, -1, place_on_grid(solid, states[b].old_positions, frame.old_origin));
+        cells.add(solid.compute_cell_boxes(now), reach);
         cells.add(solid.compute_cell_boxes(next), reach);
       }
       return cells;
@@ -106,7 +108,7 @@ namespace caudal
           space.velocity_dofs,
           Expression<dim>("Fluid/Initial velocity", space.get_parameters().initial_velocity, dim),
           state.velocity);
-      space.get_constraints(0).distribute(state.velocity);
+      space.get_constraints(Instant()).distribute(state.velocity);
       state.update_ghost_values();
     }
 
@@ -129,11 +131,12 @@ namespace caudal
       std::vector<FieldVector *> velocities = state.fluid.get_velocities();
       velocity_transfer.interpolate(velocities);
       pressure_transfer.interpolate(state.fluid.pressure);
-      const double time = state.time.get_time(), old_time = time - state.time.get_previous_step();
-      space.get_constraints(old_time - state.time.get_older_step())
+      const double old_time = state.time.get_time() - state.time.get_previous_step();
+      space.get_constraints({old_time - state.time.get_older_step(), state.frame.older_origin})
           .distribute(state.fluid.older_velocity);
-      space.get_constraints(old_time).distribute(state.fluid.old_velocity);
-      space.get_constraints(time).distribute(state.fluid.velocity);
+      space.get_constraints({old_time, state.frame.old_origin})
+          .distribute(state.fluid.old_velocity);
+      space.get_constraints(state.get_instant()).distribute(state.fluid.velocity);
       state.fluid.update_ghost_values();
     }
 
@@ -181,8 +184,8 @@ namespace caudal
     State<dim> state{TimeStepper(operators.parameters.time), {}, {}, {}};
     for (const auto &body : operators.bodies)
       state.bodies.push_back(body->make_initial_state());
-    const CellSet<dim> body_cells =
-        make_body_cells(operators, state.bodies, operators.parameters.refinement.body_margin);
+    const CellSet<dim> body_cells = make_body_cells(operators, state.bodies, state.frame,
+                                                    operators.parameters.refinement.body_margin);
     for (unsigned int pass = 0;; ++pass)
     {
       operators.space.reinit();
@@ -199,7 +202,7 @@ namespace caudal
     for (unsigned int b = 0; b < state.bodies.size(); ++b)
     {
       const auto interaction =
-          operators.compute_interaction(b, state.bodies[b].positions, state.time.get_time());
+          operators.compute_interaction(b, state.bodies[b].positions, state.get_instant());
       state.bodies[b].velocity = state.bodies[b].old_velocity =
           follow_fluid(*operators.bodies[b], interaction, state.fluid.velocity);
     }
@@ -210,7 +213,8 @@ namespace caudal
   bool adaptation_is_needed(const Operators<dim> &operators, const State<dim> &state)
   {
     // Half a cell more than the kernel's support, for what the prediction misses.
-    return !make_body_cells(operators, state.bodies, 0.5).is_covered_by(operators.triangulation);
+    return !make_body_cells(operators, state.bodies, state.frame, 0.5)
+                .is_covered_by(operators.triangulation);
   }
 
   template <int dim>
@@ -220,8 +224,8 @@ namespace caudal
     const auto       before = summarise_flow(operators.space, state.fluid.velocity);
     {
       TimerOutput::Scope timer_section(operators.timer, "adapt grid");
-      const CellSet<dim> body_cells =
-          make_body_cells(operators, state.bodies, operators.parameters.refinement.body_margin);
+      const CellSet<dim> body_cells = make_body_cells(operators, state.bodies, state.frame,
+                                                      operators.parameters.refinement.body_margin);
       // A pass refines by one level; a body may have come to where two are missing.
       for (unsigned int pass = 0; pass <= operators.lattice.get_finest_level(); ++pass)
       {

@@ -20,7 +20,7 @@ namespace caudal
   {
     const auto scheme =
         Registry<TimeScheme<dim>>::get_members().at(operators.parameters.time.scheme).create();
-    Step<dim> step{{state.time, {}, {}, state.solver}, {}};
+    Step<dim> step{{state.time, {}, {}, state.solver, state.frame}, {}};
     try
     {
       scheme->advance(operators, state, dt, step);

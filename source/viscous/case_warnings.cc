@@ -124,11 +124,12 @@ namespace caudal
                            " m): the body feels it. Move the body or change Domain/Size.");
       const double speed    = estimate_swimming_speed(body.body);
       const double distance = speed * parameters.time.end_time;
-      if (distance > body.room_ahead)
-        warnings.push_back("Time/End time: at " + print_rounded(speed) + " m/s " + body.path +
-                           " swims " + print_rounded(distance) + " m, and there are " +
-                           print_rounded(body.room_ahead) +
-                           " m ahead of it. Make the domain longer (Domain/Size) or end earlier.");
+      if (parameters.domain.frame != body.body.get_name() && distance > body.room_ahead)
+        warnings.push_back(
+            "Time/End time: at " + print_rounded(speed) + " m/s " + body.path + " swims " +
+            print_rounded(distance) + " m, and there are " + print_rounded(body.room_ahead) +
+            " m ahead of it. Make the domain longer (Domain/Size), end earlier, or let it "
+            "follow (Domain/Frame).");
       if (body.body.get_beat_frequency() * parameters.time.step > 0.02)
         warnings.push_back("Time/Step: " + print_rounded(parameters.time.step) +
                            " s are less than 50 steps a beat of " + body.path +

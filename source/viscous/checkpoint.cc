@@ -9,8 +9,8 @@ namespace caudal
   namespace
   {
     // The parts of a checkpoint, as messages call them.
-    const std::string time_part = "time or step", bodies_part = "the bodies",
-                      solver_part = "what the solver has learnt";
+    const std::string time_part = "time or step", frame_part = "the grid's place",
+                      bodies_part = "the bodies", solver_part = "what the solver has learnt";
 
     /** The bodies' states, and their initial positions, by which they are recognised. */
     using ArchivedBodies = std::vector<std::pair<BodyState, Vector<double>>>;
@@ -53,8 +53,10 @@ namespace caudal
       if (solver.has_transport)
         velocities.push_back(&point->transport);
     }
-    checkpoint.parts = {
-        {time_part, pack(state.time)}, {bodies_part, pack(bodies)}, {solver_part, pack(solver)}};
+    checkpoint.parts = {{time_part, pack(state.time)},
+                        {frame_part, pack(state.frame)},
+                        {bodies_part, pack(bodies)},
+                        {solver_part, pack(solver)}};
     checkpoint.fluid = take_snapshot(operators.space, velocities, state.fluid.pressure);
     gather_on_root(checkpoint.fluid, operators.communicator);
     return checkpoint;
@@ -67,6 +69,7 @@ namespace caudal
     ArchivedBodies bodies;
     ArchivedSolver solver;
     unpack(checkpoint.parts.at(time_part), state.time);
+    unpack(checkpoint.parts.at(frame_part), state.frame);
     unpack(checkpoint.parts.at(bodies_part), bodies);
     unpack(checkpoint.parts.at(solver_part), solver);
     state.time.resume();

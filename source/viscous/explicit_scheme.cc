@@ -24,7 +24,7 @@ namespace caudal
 
         std::vector<Vector<double>>           predicted;
         std::vector<InteractionOperator<dim>> interactions;
-        std::vector<BodyForces>               forces;
+        std::vector<ForcesByAccount>               forces;
         const std::vector<Contraction>        contractions = command_muscles(operators, state, dt);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
@@ -43,7 +43,7 @@ namespace caudal
             Vector<double> middle = state.bodies[b].positions;
             middle.sadd(0.5, 0.5, step.state.bodies[b].positions);
             const double time = state.time.get_time() + 0.5 * dt;
-            interactions.push_back(operators.compute_interaction(b, middle, time + 0.5 * dt));
+            interactions.push_back(operators.compute_interaction(b, middle, {time + 0.5 * dt, {}}));
             TimerOutput::Scope timer_section(operators.timer, "assemble body");
             forces.push_back(operators.bodies[b]->compute_forces(
                 {middle, state.bodies[b].velocity, time, dt, step.state.bodies[b].contraction}));
@@ -96,7 +96,7 @@ namespace caudal
       }
 
       /** Phi = C^-1 b */
-      static Vector<double> compute_force_density(const Body<dim> &body, const BodyForces &forces)
+      static Vector<double> compute_force_density(const Body<dim> &body, const ForcesByAccount &forces)
       {
         Vector<double> density(body.get_solid().n_dofs());
         for (const auto &account : forces)
@@ -113,7 +113,8 @@ namespace caudal
       {
         const FluidState<dim> &fluid = state.fluid;
         CoupledUnknowns        guess{fluid.velocity, fluid.pressure, {}};
-        operators.space.get_constraints(state.time.get_time() + dt).distribute(guess.velocity);
+        operators.space.get_constraints({state.time.get_time() + dt, {}})
+            .distribute(guess.velocity);
         FieldVector history = fluid.velocity;
         history *= -operators.parameters.fluid.density / dt;
         for (const FieldVector *field : {&guess.velocity, &guess.pressure, &history})
@@ -125,7 +126,7 @@ namespace caudal
         momentum.old_weights.inertia = momentum.old_weights.augmentation = 0;
         momentum.inertia_history                                         = &history;
         momentum.old_velocity                                            = &fluid.velocity;
-        momentum.time = state.time.get_time() + 0.5 * dt;
+        momentum.instant.time = state.time.get_time() + 0.5 * dt;
         if (state.time.get_previous_step() == 0)
           momentum.old_convection = {{&convecting, 1.}};
         else

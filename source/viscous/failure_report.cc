@@ -149,17 +149,19 @@ namespace caudal
   std::string describe_failure(const StepFailure &failure, const Operators<dim> &operators,
                                const State<dim> &state)
   {
-    std::ostringstream text;
-    const Extreme<dim> flow = find_fastest_flow(operators.space, state.fluid.velocity);
+    std::ostringstream   text;
+    const Tensor<1, dim> origin = restrict_to<dim>(state.frame.origin);
+    const Extreme<dim>   flow   = find_fastest_flow(operators.space, state.fluid.velocity);
     text << advise(failure, operators)
          << " Where to look: the fastest flow of the last good state, " << flow.value
-         << " m/s, is in the cell at (" << flow.place << ") m";
+         << " m/s, is in the cell at (" << flow.place + origin << ") m";
     for (unsigned int b = 0; b < operators.bodies.size(); ++b)
     {
       const SolidBody<dim> &solid   = operators.bodies[b]->get_solid();
       const Vector<double> &x       = state.bodies[b].positions;
       const Extreme<dim>    before  = find_smallest_jacobian(solid, x);
-      const Extreme<dim>    nearest = find_nearest_to_side(solid, x, operators.get_domain());
+      const Extreme<dim>    nearest = find_nearest_to_side(
+             solid, place_on_grid(solid, x, state.frame.origin), operators.get_domain());
       text << "; body " << solid.get_name() << " has its smallest J, " << before.value
            << ", in element " << before.cell << " at (" << before.place << ") m";
       if (b < failure.trial_bodies.size())
@@ -169,8 +171,8 @@ namespace caudal
           text << ", in the failed step " << trial.value << " in element " << trial.cell << " at ("
                << trial.place << ") m";
       }
-      text << ", and is nearest to a side at (" << nearest.place << ") m, " << nearest.value
-           << " m from it";
+      text << ", and is nearest to a side at (" << nearest.place + origin << ") m, "
+           << nearest.value << " m from it";
     }
     text << ".";
     return text.str();

@@ -74,7 +74,11 @@ namespace caudal
       for (const auto &node : body->get_solid().get_nodes())
       {
         const Point<dim> point = get_value(states.back().positions, node);
-        AssertThrow(domain.point_inside(point),
+        Point<dim>       place = point;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (parameters.domain.is_periodic(d))
+            place[d] = domain.lower_bound(d);
+        AssertThrow(domain.point_inside(place),
                     ExcMessage("Body " + body->get_name() +
                                "/Shape/Position: the body reaches the point (" +
                                print_place(point) +
@@ -113,6 +117,8 @@ namespace caudal
       out << "Body " << body->get_name() << ": " << solid.get_triangulation().n_active_cells()
           << " cells, " << solid.n_dofs() << " unknowns, volume " << solid.get_reference_volume()
           << (dim == 2 ? " m^2" : " m^3") << ", length " << body->get_length() << " m\n";
+      if (!body->describe_gait().empty())
+        out << "Gait of body " << body->get_name() << ": " << body->describe_gait() << ".\n";
     }
     for (const std::string &warning : check.find_warnings())
       out << "Warning: " << warning << '\n';
@@ -159,6 +165,8 @@ namespace caudal
                                  state.time.get_previous_step(),
                                  state.time.get_step_number(),
                                  state.time.is_at_end(),
+                                 state.frame.origin,
+                                 parameters.domain.has_moving_frame(),
                                  operators.space,
                                  operators.lattice,
                                  state.fluid,

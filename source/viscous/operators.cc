@@ -58,14 +58,15 @@ namespace caudal
   template <int dim>
   InteractionOperator<dim> Operators<dim>::compute_interaction(const unsigned int    b,
                                                                const Vector<double> &x,
-                                                               const double          time) const
+                                                               const Instant        &instant) const
   {
     TimerOutput::Scope    timer_section(timer, "interaction operator");
     const SolidBody<dim> &solid = bodies[b]->get_solid();
     return InteractionOperator<dim>(coupling,
                                     {*finest_cells, space.velocity_dofs,
-                                     space.get_constraints(time), space.get_velocity_layout()},
-                                    solid.get_dof_handler(), x,
+                                     space.get_constraints(instant), space.get_velocity_layout()},
+                                    solid.get_dof_handler(),
+                                    place_on_grid(solid, x, instant.origin),
                                     solid.get_parameters().get_surface_weight(), solid.get_name());
   }
 

@@ -85,7 +85,18 @@ namespace caudal
   {
     time.check();
     domain.check();
+    std::vector<std::string> names;
+    for (const auto &body : bodies)
+      names.push_back(body->solid.name);
+    domain.check_frame(names, time.is_explicit());
     fluid.check();
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      AssertThrow(!domain.is_periodic(side / 2) ||
+                      fluid.sides[side].get_name() == FluidParameters<dim>().sides[side].get_name(),
+                  ExcMessage("Fluid/Boundary conditions: the condition on the side " +
+                             get_side_names(dim)[side] +
+                             " has no meaning, since Domain/Periodic directions makes it one with "
+                             "the opposite side. Leave it out."));
     for (const auto &body : bodies)
     {
       // The files of such a body would have the names of the flow's.

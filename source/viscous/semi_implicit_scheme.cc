@@ -23,9 +23,13 @@ namespace caudal
         recall_factorisation(operators, state.solver);
         const TimeWeights weights = state.time.get_weights(dt);
 
+        step.state.frame                   = move_frame(operators, state, dt);
+        const Tensor<1, dim> grid_velocity = compute_grid_velocity(state, step.state.frame, dt);
+
         const auto point = std::make_shared<const Linearisation>(
-            predict(operators, state, weights, dt, command_muscles(operators, state, dt)));
-        const CoupledUnknowns       guess  = make_guess(operators, state, *point);
+            predict(operators, state, weights, dt, step.state.frame.origin, grid_velocity,
+                    command_muscles(operators, state, dt)));
+        const CoupledUnknowns       guess  = make_guess(operators, state, *point, grid_velocity);
         const LinearisedBodies<dim> bodies = linearise_bodies(operators, *point);
 
         CoupledUnknowns residual;
@@ -55,6 +59,7 @@ namespace caudal
         std::vector<Vector<double>> predicted;
         for (const auto &body : point->bodies)
           predicted.push_back(body.positions);
+        step.report.grid_velocity = grid_velocity;
         check_step(operators, state, step.state, predicted, bodies.interactions, dt, step.report);
         step.report.rate    = point->rate;
         step.report.damping = compute_damping(operators, state, weights, step.state.fluid);
@@ -65,11 +70,12 @@ namespace caudal
       /** Extrapolates velocities to the end of the step, and body positions by BDF2. */
       static Linearisation predict(const Operators<dim> &operators, const State<dim> &state,
                                    const TimeWeights &weights, const double dt,
+                                   const DomainVector &origin, const Tensor<1, dim> &grid_velocity,
                                    const std::vector<Contraction> &contractions)
       {
         const auto   &parameters = operators.parameters.fluid;
         Linearisation point;
-        point.time                 = state.time.get_time() + dt;
+        point.end                  = {state.time.get_time() + dt, origin};
         point.step                 = dt;
         point.rate                 = weights.derivative[0];
         point.weights.inertia      = parameters.density * point.rate;
@@ -80,14 +86,17 @@ namespace caudal
         point.transport.sadd(weights.transport[0], weights.transport[1], state.fluid.old_velocity);
         point.transport.add(weights.transport[2], state.fluid.older_velocity);
         point.transport.update_ghost_values();
+        if (operators.parameters.domain.has_moving_frame())
+          operators.space.add_uniform(-grid_velocity, point.transport);
         for (unsigned int b = 0; b < state.bodies.size(); ++b)
         {
           const Body<dim> &body     = *operators.bodies[b];
           const BodyState &before   = state.bodies[b];
           Vector<double>   velocity = before.velocity;
           velocity.sadd(weights.extrapolation[0], weights.extrapolation[1], before.old_velocity);
-          point.bodies.push_back({integrate_position(body, before, velocity, weights, point.time),
-                                  velocity, contractions[b]});
+          point.bodies.push_back(
+              {integrate_position(body, before, velocity, weights, point.end.time), velocity,
+               contractions[b]});
         }
         return point;
       }
@@ -107,10 +116,13 @@ namespace caudal
 
       /** The extrapolated velocity with the boundary values, the old pressure. */
       static CoupledUnknowns make_guess(const Operators<dim> &operators, const State<dim> &state,
-                                        const Linearisation &point)
+                                        const Linearisation  &point,
+                                        const Tensor<1, dim> &grid_velocity)
       {
         CoupledUnknowns guess{point.transport, state.fluid.pressure, {}};
-        operators.space.get_constraints(point.time).distribute(guess.velocity);
+        if (operators.parameters.domain.has_moving_frame())
+          operators.space.add_uniform(grid_velocity, guess.velocity);
+        operators.space.get_constraints(point.end).distribute(guess.velocity);
         guess.velocity.update_ghost_values();
         guess.pressure.update_ghost_values();
         return guess;
@@ -132,7 +144,7 @@ namespace caudal
         momentum.weights         = point.weights;
         momentum.transport       = &point.transport;
         momentum.inertia_history = &history;
-        momentum.time            = point.time;
+        momentum.instant         = point.end;
         return operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
       }
 
@@ -178,16 +190,16 @@ namespace caudal
         BodyState next;
         next.force_density = state.force_density;
         next.force_density += correction.force_density;
-        next.velocity      = follow_fluid(body, interaction, velocity);
-        next.old_velocity  = state.velocity;
-        next.positions     = integrate_position(body, state, next.velocity, weights, point.time);
+        next.velocity     = follow_fluid(body, interaction, velocity);
+        next.old_velocity = state.velocity;
+        next.positions    = integrate_position(body, state, next.velocity, weights, point.end.time);
         next.old_positions = state.positions;
         next.contraction   = point.bodies[b].contraction;
         return next;
       }
 
       /** Forces in the middle of the step: their work is of second order, as the scheme is. */
-      static BodyForces compute_middle_forces(const Operators<dim> &operators,
+      static ForcesByAccount compute_middle_forces(const Operators<dim> &operators,
                                               const Body<dim> &body, const double time,
                                               const double dt, const BodyState &before,
                                               const BodyState &after)
@@ -200,7 +212,7 @@ namespace caudal
         std::vector<LoadAccount> accounts{LoadAccount::feedback, LoadAccount::muscle};
         if (body.has_gait())
           accounts = {LoadAccount::feedback, LoadAccount::elastic, LoadAccount::gravity};
-        BodyForces forces;
+        ForcesByAccount forces;
         for (const LoadAccount account : accounts)
           forces[account] = body.compute_force(account, motion);
         return forces;

@@ -105,7 +105,7 @@ namespace caudal
     LinearisedBodies<dim> result;
     for (unsigned int b = 0; b < point.bodies.size(); ++b)
       result.interactions.push_back(
-          operators.compute_interaction(b, point.bodies[b].positions, point.time));
+          operators.compute_interaction(b, point.bodies[b].positions, point.end));
 
     TimerOutput::Scope timer_section(operators.timer, "assemble body");
     result.equations.reserve(point.bodies.size());
@@ -116,7 +116,7 @@ namespace caudal
       const auto &[positions, velocity, contraction] = point.bodies[b];
       BodyResponse response(solid.get_sparsity_pattern());
       result.forces.push_back(body.compute_forces(
-          {positions, velocity, point.time, point.step, contraction}, &response));
+          {positions, velocity, point.end.time, point.step, contraction}, &response));
 
       const double                      scale = point.weights.inertia;
       const std::vector<Vector<double>> modes =
@@ -196,7 +196,7 @@ namespace caudal
   }
 
   template <int dim>
-  double account_work(const Body<dim> &body, const BodyState &before, const BodyForces &forces,
+  double account_work(const Body<dim> &body, const BodyState &before, const ForcesByAccount &forces,
                       const double dt, BodyState &after)
   {
     const SolidBody<dim> &solid = body.get_solid();
@@ -210,17 +210,11 @@ namespace caudal
     const Vector<double> &feedback_force = forces.at(LoadAccount::feedback);
     if (body.has_gait())
     {
-      Vector<double> mean_density(before.force_density);
+      Vector<double> mean_density(before.force_density), acceleration(after.velocity);
       mean_density.sadd(0.5, 0.5, after.force_density);
-      solid.get_coupling_mass().vmult(driving_force, mean_density);
-      driving_force -= forces.at(LoadAccount::elastic);
-      driving_force -= feedback_force;
-      driving_force -= forces.at(LoadAccount::gravity);
-      // The force density has the inertia of the excess mass in it, with the opposite sign.
-      Vector<double> acceleration(after.velocity);
       acceleration -= before.velocity;
-      acceleration *= solid.get_excess_density() / dt;
-      solid.get_mass_matrix().vmult_add(driving_force, acceleration);
+      acceleration /= dt;
+      driving_force = body.compute_gait_force(mean_density, forces, acceleration);
     }
     const double work = driving_force * displacement;
     after.muscle_work = before.muscle_work + work;
@@ -235,11 +229,12 @@ namespace caudal
 
   namespace
   {
-    /** See BodyReport::power_identity. */
+    /** See BodyReport::power_identity; @p on_sides is BodyReport::power_on_sides. */
     template <int dim>
     double compute_power_identity(const Operators<dim> &operators, const SolidBody<dim> &solid,
                                   const InteractionOperator<dim> &interaction,
-                                  const BodyState &body, const FieldVector &velocity)
+                                  const BodyState &body, const FieldVector &velocity,
+                                  const double on_sides)
     {
       Vector<double> weighted(solid.n_dofs());
       solid.get_coupling_mass().vmult(weighted, body.velocity);
@@ -248,7 +243,8 @@ namespace caudal
       double size = 0;
       for (unsigned int i = 0; i < weighted.size(); ++i)
         size += std::abs(weighted[i] * body.force_density[i]);
-      return std::abs(weighted * body.force_density - force * velocity) / std::max(size, 1e-300);
+      return std::abs(weighted * body.force_density - force * velocity - on_sides) /
+             std::max(size, 1e-300);
     }
   } // namespace
 
@@ -275,14 +271,18 @@ namespace caudal
         for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int i = node[d];
-          indicators.body_cfl  = std::max(indicators.body_cfl, std::abs(x[i] - old_x[i]) / h[d]);
+          indicators.body_cfl  = std::max(
+               indicators.body_cfl, std::abs(x[i] - old_x[i] - dt * after.frame.velocity[d]) / h[d]);
           indicators.error = std::max(indicators.error, std::abs(x[i] - predicted[b][i]) / h[d]);
         }
-      report.bodies[b].power_identity = compute_power_identity(
-          operators, body.get_solid(), interactions[b], after.bodies[b], after.fluid.velocity);
+      report.bodies[b].power_on_sides =
+          interactions[b].compute_power_on_sides(after.bodies[b].force_density);
+      report.bodies[b].power_identity =
+          compute_power_identity(operators, body.get_solid(), interactions[b], after.bodies[b],
+                                 after.fluid.velocity, report.bodies[b].power_on_sides);
     }
     check_distances(operators, after.bodies);
-    report.flow               = summarise_flow(operators.space, after.fluid.velocity);
+    report.flow = summarise_flow(operators.space, after.fluid.velocity, report.grid_velocity);
     indicators.convective_cfl = report.flow.largest_rate * dt;
   }
 
@@ -299,8 +299,8 @@ namespace caudal
       double, Step<dim> &);                                                                          \
   template Vector<double> follow_fluid(const Body<dim> &, const InteractionOperator<dim> &,          \
                                        const FieldVector &);                                         \
-  template double account_work(const Body<dim> &, const BodyState &, const BodyForces &, double,     \
-                               BodyState &);                                                         \
+  template double account_work(const Body<dim> &, const BodyState &, const ForcesByAccount &,        \
+                               double, BodyState &);                                                 \
   template void   check_step(const Operators<dim> &, const State<dim> &, const State<dim> &,         \
                              const std::vector<Vector<double>> &,                                    \
                              const std::vector<InteractionOperator<dim>> &, double,                  \

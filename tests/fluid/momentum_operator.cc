@@ -349,13 +349,13 @@ namespace
     step.old_velocity          = &u;
     step.old_weights           = {0, 0.2, 0.3, 0};
     step.old_convection        = {{&old, 1.5}, {&u, -0.5}};
-    step.time                  = 2;
+    step.instant.time          = 2;
     const FieldVector residual = momentum.assemble(step, u, pressure);
 
     FunctionParser<dim> force(dim);
     force.initialize(FunctionParser<dim>::default_variable_names() + ",t", parameters.body_force,
                      {}, true);
-    force.set_time(step.time);
+    force.set_time(step.instant.time);
     const double rate     = step.weights.inertia / parameters.density;
     FieldVector  expected = space.make_velocity_vector();
     forms.add_for_cells(expected, [&](Vector<double> &loads) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # A run that is stopped by signals and resumed, again and again, is bit by bit the run that nobody
 # disturbed, which writes no checkpoint before its end: on one rank and on two, with a grid that
-# changes; swim.prm with a muscle and springs, disc.prm with factorisations that serve several
+# changes; swim.prm with a muscle and springs and a grid that follows the fish, disc.prm with factorisations that serve several
 # steps. It is stopped some steps after each start; which step that is depends on the machine.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 
@@ -9,6 +9,9 @@ cat >swim.prm <<END
 include $CAUDAL_SOURCE_DIR/tests/viscous/fish.prm
 subsection Time
   set End time = 0.2
+end
+subsection Domain
+  set Frame = fish
 end
 subsection Output
   subsection Figures

@@ -93,6 +93,12 @@ namespace caudal
     /** result += G^T Phi on the unconstrained velocity unknowns; collective. */
     void spread(const Vector<double> &force_density, FieldVector &result) const;
 
+    /** The power of Phi on velocities that are prescribed on sides, which spread() leaves out. */
+    double compute_power_on_sides(const Vector<double> &force_density) const
+    {
+      return inhomogeneity * force_density;
+    }
+
     /** Calls operation(body dof, global velocity dof, value) for this rank's entries. */
     template <class Operation>
     void for_each_entry(const Operation &operation) const

@@ -89,6 +89,12 @@ namespace caudal
       return std::numeric_limits<double>::max();
     }
 
+    /** What is worth to be known of data that it was made from; empty: nothing. */
+    virtual std::string describe() const
+    {
+      return "";
+    }
+
     /** The length of the body's spine [m]. */
     double get_length() const
     {

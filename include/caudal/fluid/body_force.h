@@ -18,10 +18,10 @@ namespace caudal
     explicit BodyForceLoads(const FluidParameters<dim> &parameters);
 
     /**
-     * Computes the loads of the locally owned cells of @p dofs at @p time, unless that has been
-     * done. Throws if the force is not finite, which can happen on one rank only.
+     * Computes the loads of the locally owned cells of @p dofs at this @p instant, unless that has
+     * been done. Throws if the force is not finite, which can happen on one rank only.
      */
-    void update(const DoFHandler<dim> &dofs, double time);
+    void update(const DoFHandler<dim> &dofs, const Instant &instant);
 
     /** Whether there is no force anywhere, and are no loads. */
     bool are_zero() const

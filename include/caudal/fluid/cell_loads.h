@@ -2,6 +2,8 @@
 #ifndef caudal_fluid_cell_loads_h
 #define caudal_fluid_cell_loads_h
 
+#include <caudal/fluid/instant.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/dofs/dof_handler.h>
 
@@ -33,14 +35,14 @@ namespace caudal
   protected:
     /**
      * Has @p add called with each locally owned cell of @p dofs and its loads, which are zero,
-     * unless that was done for the same @p time. What it throws leaves the loads forgotten.
+     * unless that was done for the same @p instant. What it throws leaves the loads forgotten.
      */
-    void update(const DoFHandler<dim> &dofs, double time,
+    void update(const DoFHandler<dim> &dofs, const Instant &instant,
                 const std::function<void(const Cell &, double *)> &add);
 
   private:
     bool                is_valid = false;
-    double              time     = 0;
+    Instant             valid_instant;
     std::size_t         n_per_cell;
     std::vector<double> loads; // of one active cell after the other
   };

@@ -63,7 +63,8 @@ namespace caudal
      * 2D W/m]: that of get_convection_matrix() with u for w. @p velocity: the nodal values of u.
      */
     double compute_stabilisation_dissipation(const Vector<double> &velocity, double density,
-                                             double stabilisation, double rate) const;
+                                             double stabilisation, double rate,
+                                             const Tensor<1, dim> &grid_velocity) const;
 
     const FullMatrix<double> &get_mass() const
     {

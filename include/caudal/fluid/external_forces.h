@@ -13,11 +13,11 @@ namespace caudal
    *   closed int ((-p n + mu du/dn + rho gamma (div u) n).u - rho/2 |u|^2 (u.n)) + int f.u
    * [W; per metre of span in 2D: W/m]. As in the discrete equations, outflow sides exert no
    * stress, and with `Backflow stabilisation` what flows back through them brings no energy.
-   * Collective.
+   * In u.n there is u - w, @p grid_velocity w being that of the sides. Collective.
    */
   template <int dim>
   double compute_external_power(const FluidSpace<dim> &space, const FluidState<dim> &state,
-                                double time);
+                                const Instant &instant, const Tensor<1, dim> &grid_velocity);
 
   /** What the momentum balance of a control volume is made of (per metre of span in 2D). */
   template <int dim>
@@ -36,13 +36,15 @@ namespace caudal
   /**
    * The balance for the control volume V of all coarse cells whose centre is in @p box.
    * On its surface pressure and gradients are the means from both sides.
-   * Immersed bodies in V exert the force d(momentum)/dt - force on the fluid.
+   * Immersed bodies in V exert the force d(momentum)/dt - force on the fluid. V moves with the
+   * grid, so that there is u - w in u.n, with @p grid_velocity w.
    * Collective.
    */
   template <int dim>
   MomentumBalance<dim> compute_momentum_balance(const FluidSpace<dim>  &space,
                                                 const FluidState<dim>  &state,
-                                                const BoundingBox<dim> &box, double time);
+                                                const BoundingBox<dim> &box, const Instant &instant,
+                                                const Tensor<1, dim> &grid_velocity);
 } // namespace caudal
 
 #endif

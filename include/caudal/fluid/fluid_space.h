@@ -36,10 +36,10 @@ namespace caudal
     void reinit();
 
     /**
-     * Hanging nodes and the boundary values at @p time. They are kept until another time is asked
-     * for. Collective.
+     * Hanging nodes and the boundary values at this @p instant. They are kept until another one is
+     * asked for. Collective.
      */
-    const AffineConstraints<double> &get_constraints(double time) const;
+    const AffineConstraints<double> &get_constraints(const Instant &instant) const;
 
     /**
      * Whether velocities are prescribed on all sides, so that what they bring into the domain has
@@ -48,11 +48,11 @@ namespace caudal
     bool balances_fluxes() const;
 
     /**
-     * The factor by which prescribed outflows are multiplied at @p time, so that they are what
-     * flows in: one but for errors of interpolation and small ones of the user. Throws a sentence
-     * if it is farther from one than a hundredth. Collective.
+     * The factor by which prescribed outflows are multiplied at this @p instant, so that they are
+     * what flows in: one but for errors of interpolation and small ones of the user. Throws a
+     * sentence if it is farther from one than a hundredth. Collective.
      */
-    double get_outflow_factor(double time) const;
+    double get_outflow_factor(const Instant &instant) const;
 
     /** The constraints with zero boundary values, for corrections. */
     const AffineConstraints<double> &get_homogeneous_constraints() const
@@ -73,6 +73,12 @@ namespace caudal
       return parameters;
     }
 
+    /** Whether the sides in this direction are one. */
+    bool is_periodic(const unsigned int direction) const
+    {
+      return domain.is_periodic(direction);
+    }
+
     double get_grad_div() const
     {
       return grad_div;
@@ -83,6 +89,9 @@ namespace caudal
     {
       return *boundary_conditions[side];
     }
+
+    /** Adds a uniform @p velocity, also on the sides, to a velocity with ghost values. */
+    void add_uniform(const Tensor<1, dim> &velocity, FieldVector &field) const;
 
     /** A zero vector with ghost entries for all locally relevant unknowns. */
     FieldVector make_velocity_vector() const
@@ -111,16 +120,16 @@ namespace caudal
     }
 
     /** The body force's loads of this rank's cells; throws if it is not finite in one of them. */
-    const BodyForceLoads<dim> &get_body_force_loads(const double time) const
+    const BodyForceLoads<dim> &get_body_force_loads(const Instant &instant) const
     {
-      body_force_loads.update(velocity_dofs, time);
+      body_force_loads.update(velocity_dofs, instant);
       return body_force_loads;
     }
 
     /** Those of tractions on the sides, likewise. */
-    const SideLoads<dim> &get_side_loads(const double time) const
+    const SideLoads<dim> &get_side_loads(const Instant &instant) const
     {
-      side_loads.update(velocity_dofs, time);
+      side_loads.update(velocity_dofs, instant);
       return side_loads;
     }
 
@@ -133,7 +142,7 @@ namespace caudal
     parallel::distributed::Triangulation<dim> &triangulation;
     const FluidParameters<dim>                &parameters;
     const double                               grad_div;
-    const Tensor<1, dim>                       domain_size;
+    const DomainParameters<dim>               &domain;
 
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
 
@@ -141,18 +150,18 @@ namespace caudal
     mutable BodyForceLoads<dim>       body_force_loads;
     mutable SideLoads<dim>            side_loads;
     AffineConstraints<double>         homogeneous_constraints;
-    mutable AffineConstraints<double> constraints; // at constraints_time [s]
-    mutable std::optional<double>     constraints_time;
-    mutable double                    outflow_factor = 1; // at constraints_time
+    mutable AffineConstraints<double> constraints; // at constraints_instant
+    mutable std::optional<Instant>    constraints_instant;
+    mutable double                    outflow_factor = 1; // likewise
 
     std::shared_ptr<const Utilities::MPI::Partitioner> velocity_layout, pressure_layout;
 
     using Velocities = std::function<std::unique_ptr<Function<dim>>(unsigned int side)>;
 
     AffineConstraints<double> make_constraints(const Velocities &velocities) const;
-    AffineConstraints<double> make_constraints(double time, double outflow_factor) const;
+    AffineConstraints<double> make_constraints(const Instant &instant, double outflow_factor) const;
     bool                      has_velocity() const;
-    double                    compute_outflow_factor(double time) const;
+    double                    compute_outflow_factor(const Instant &instant) const;
   };
 } // namespace caudal
 

@@ -54,8 +54,10 @@ namespace caudal
     }
   };
 
+  /** @p grid_velocity [m/s] counts in FlowSummary::largest_rate, u - w being in place of u. */
   template <int dim>
-  FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity);
+  FlowSummary<dim> summarise_flow(const FluidSpace<dim> &space, const FieldVector &velocity,
+                                  const Tensor<1, dim> &grid_velocity = {});
 
   /** FlowSummary::kinetic_energy alone, which costs less. */
   template <int dim>
@@ -65,11 +67,12 @@ namespace caudal
    * What the local projection stabilisation of the convection dissipates,
    * int tau |k(u.grad u)|^2 [W, per metre of span in 2D: W/m]; @p rate [1/s] is the
    * weight of the present velocity in the time derivative, by which tau is limited, see
-   * CellMatrices::get_convection_matrix().
+   * CellMatrices::get_convection_matrix(). In a grid with @p grid_velocity w the first u is u - w.
    */
   template <int dim>
   double compute_stabilisation_dissipation(const FluidSpace<dim> &space,
-                                           const FieldVector &velocity, double rate);
+                                           const FieldVector &velocity, double rate,
+                                           const Tensor<1, dim> &grid_velocity = {});
 } // namespace caudal
 
 #endif

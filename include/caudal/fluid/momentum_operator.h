@@ -24,8 +24,8 @@ namespace caudal
     /** Convection terms of old velocities with their weights. */
     std::vector<std::pair<const FieldVector *, double>> old_convection;
 
-    /** Time at which body force and tractions are taken [s]. */
-    double time = 0;
+    /** At which body force and tractions are taken. */
+    Instant instant;
   };
 
   /**

@@ -20,10 +20,10 @@ namespace caudal
     explicit SideLoads(const Conditions &conditions);
 
     /**
-     * Computes the loads of the locally owned cells of @p dofs at @p time, unless that has been
-     * done. Throws if a traction is not finite, which can happen on one rank only.
+     * Computes the loads of the locally owned cells of @p dofs at this @p instant, unless that has
+     * been done. Throws if a traction is not finite, which can happen on one rank only.
      */
-    void update(const DoFHandler<dim> &dofs, double time);
+    void update(const DoFHandler<dim> &dofs, const Instant &instant);
 
     /** Whether no side has a traction, and there are no loads. */
     bool are_zero() const;

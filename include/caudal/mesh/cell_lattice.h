@@ -41,6 +41,12 @@ namespace caudal
     /** The coordinates on @p level of the cell that holds @p point (inside the domain or not). */
     Coordinates get_coordinates(const Point<dim> &point, unsigned int level) const;
     bool        is_inside(const Coordinates &coordinates, unsigned int level) const;
+    bool        is_periodic(const unsigned int direction) const
+    {
+      return domain.is_periodic(direction);
+    }
+    /** The cell of the domain that this one, outside in a periodic direction, repeats. */
+    Coordinates wrap(Coordinates coordinates, unsigned int level) const;
     Point<dim>  get_lower_corner(const Coordinates &coordinates, unsigned int level) const;
 
   private:

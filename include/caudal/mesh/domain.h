@@ -22,8 +22,12 @@ namespace caudal
   {
     Point<dim>                lower_corner;
     Point<dim>                size;
-    std::vector<unsigned int> cells  = std::vector<unsigned int>(dim, 8);
-    unsigned int              levels = 4;
+    std::vector<unsigned int> cells               = std::vector<unsigned int>(dim, 8);
+    unsigned int              levels              = 4;
+    std::string               periodic_directions = "none";
+    std::string               frame               = "fixed";
+    std::string               frame_velocity;
+    double                    frame_time = 0;
 
     DomainParameters();
     void add_parameters(ParameterHandler &prm);
@@ -43,6 +47,21 @@ namespace caudal
     {
       return get_cell_size(get_finest_level()).norm() / std::sqrt(dim);
     }
+
+    /** Whether what leaves the domain in this direction comes back on the other side. */
+    bool is_periodic(const unsigned int direction) const
+    {
+      return periodic_directions.find("xyz"[direction]) != std::string::npos;
+    }
+
+    /** Whether the grid moves. */
+    bool has_moving_frame() const
+    {
+      return frame != "fixed";
+    }
+
+    /** Throws a sentence unless the frame is that of the grid or of one of the @p bodies. */
+    void check_frame(const std::vector<std::string> &bodies, bool is_explicit) const;
 
     double get_shortest_side() const
     {

@@ -17,15 +17,20 @@ namespace caudal
     /** Mean over the step [W, in 2D W/m]. */
     double muscle_power = 0;
     /**
-     * |Phi.(M_s U) - f.u| relative to the sum of the moduli of the former's terms: the power of the
+     * |Phi.(C U) - f.u| relative to the sum of the moduli of the former's terms: the power of the
      * force density, seen by the body and by the fluid, at t^{n+1} [1].
      */
     double power_identity = 0;
+    /**
+     * Of its force density on the velocities that are prescribed on sides of the domain, in cells
+     * that body and side have in common [W, in 2D W/m]. The sides take as much less.
+     */
+    double power_on_sides = 0;
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &deformation &muscle_power &power_identity;
+      archive &deformation &muscle_power &power_identity &power_on_sides;
     }
   };
 
@@ -34,6 +39,7 @@ namespace caudal
   struct StepReport
   {
     unsigned int            iterations = 0;
+    Tensor<1, dim>          grid_velocity; // with which the grid moves [m/s]
     TimeStepper::Indicators indicators;
     /** Summary of the velocity at t^{n+1}. */
     FlowSummary<dim> flow;
@@ -53,7 +59,7 @@ namespace caudal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &iterations &indicators &flow &rate &damping &bodies;
+      archive &iterations &grid_velocity &indicators &flow &rate &damping &bodies;
     }
   };
 
@@ -80,6 +86,9 @@ namespace caudal
     unsigned int step_number = 0;
     /** Whether the end time is reached. */
     bool is_last = false;
+    /** Places of the grid are these plus the origin in the laboratory's frame [m]. */
+    DomainVector origin;
+    bool         grid_moves = false;
 
     const FluidSpace<dim>  &space;
     const CellLattice<dim> &lattice;
@@ -89,6 +98,11 @@ namespace caudal
     /** Half the width of the kernel's support, in cells of the finest level. */
     double                            kernel_support = 0;
     std::vector<BodyObservation<dim>> bodies;
+
+    Instant get_instant() const
+    {
+      return {time, origin};
+    }
   };
 } // namespace caudal
 

@@ -65,6 +65,20 @@ namespace caudal
     {
       return parameters.gait_damping;
     }
+    const Gait &get_gait() const
+    {
+      return *gait;
+    }
+    /** The motion of the nodes that the gait prescribes, if there is one. */
+    const PrescribedMotion<dim> &get_prescribed_motion() const
+    {
+      return *prescribed;
+    }
+    /** What it follows, to be told to the user; empty: nothing special. */
+    std::string describe_gait() const
+    {
+      return gait->describe();
+    }
     bool has_gait() const
     {
       return gait->is_prescribed();
@@ -120,8 +134,17 @@ namespace caudal
      * The forces b of each account [N, in 2D N/m]; adds their derivatives to @p response unless
      * that is null.
      */
-    std::map<LoadAccount, Vector<double>> compute_forces(const BodyMotion &motion,
-                                                         BodyResponse *response = nullptr) const;
+    ForcesByAccount compute_forces(const BodyMotion &motion,
+                                   BodyResponse     *response = nullptr) const;
+
+    /**
+     * What is left of the forces C Phi for the constraint of the gait, without elastic and feedback
+     * forces and gravity, of which @p forces has those at the same time, and without the inertia of
+     * the excess mass, which Phi has with the opposite sign.
+     */
+    Vector<double> compute_gait_force(const Vector<double>  &force_density,
+                                      const ForcesByAccount &forces,
+                                      const Vector<double>  &acceleration) const;
 
     /** Lateral position of the muscle's monitored point, as the muscle is told [m]. */
     double get_lateral_position(const BodyState &state) const;

@@ -4,6 +4,7 @@
 
 #include <caudal/fish/muscle.h>
 #include <caudal/fish/prescribed_motion.h>
+#include <caudal/solid/rigid_map.h>
 #include <caudal/solid/solid_body.h>
 
 namespace caudal
@@ -40,6 +41,14 @@ namespace caudal
     muscle,
     gait
   };
+
+  /** Forces b on a body, by account [N, in 2D N/m]. */
+  using ForcesByAccount = std::map<LoadAccount, Vector<double>>;
+
+  /** The rigid motion that lays a shape, given by the places of the nodes, over the body. */
+  template <int dim>
+  RigidMotion<dim> lay_over(const SolidBody<dim> &body, const std::vector<Point<dim>> &shape,
+                            const Vector<double> &positions);
 
   /**
    * A load on a body, a contribution to the forces b(X, U, t) that its shape functions test

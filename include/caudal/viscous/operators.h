@@ -24,10 +24,10 @@ namespace caudal
 
     /**
      * The interaction with the fluid of the body with the number @p b, at its nodal positions @p x
-     * and with boundary values of @p time.
+     * and with grid and boundary values of this @p instant.
      */
     InteractionOperator<dim> compute_interaction(unsigned int b, const Vector<double> &x,
-                                                 double time) const;
+                                                 const Instant &instant) const;
 
     /** Augmentation gamma of the momentum equation for a weight @p inertia [Pa s]. */
     double get_augmentation(double inertia) const;

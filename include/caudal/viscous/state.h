@@ -5,6 +5,7 @@
 #include <caudal/base/time_stepping.h>
 #include <caudal/fluid/fluid_state.h>
 #include <caudal/solid/body_state.h>
+#include <caudal/viscous/frame.h>
 
 #include <memory>
 
@@ -17,7 +18,7 @@ namespace caudal
   struct Linearisation
   {
     MomentumWeights weights;
-    /** Velocity of the convection [m/s]; none if convection and bodies are explicit. */
+    /** Velocity of the convection, through the grid [m/s]; none if it and bodies are explicit. */
     FieldVector transport;
 
     struct Body
@@ -34,15 +35,17 @@ namespace caudal
     };
     /** None if the forces of the bodies are explicit. */
     std::vector<Body> bodies;
-    /** End of the step and its length [s], and the weight of U in its time derivative [1/s]. */
-    double time = 0, step = 0, rate = 0;
+    /** End of the step. */
+    Instant end;
+    /** Length of the step [s], and the weight of U in its time derivative [1/s]. */
+    double step = 0, rate = 0;
 
     /** All but the transport velocity, whose numbering is that of a grid. */
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
       archive &weights.inertia &weights.viscosity &weights.grad_div &weights.augmentation;
-      archive &bodies &time &step                                   &rate;
+      archive &bodies &end.time &end.origin &step &rate;
     }
 
     bool has_transport() const
@@ -80,6 +83,12 @@ namespace caudal
     FluidState<dim>        fluid;
     std::vector<BodyState> bodies;
     SolverMemory           solver;
+    Frame                  frame = {};
+
+    Instant get_instant() const
+    {
+      return {time.get_time(), frame.origin};
+    }
   };
 } // namespace caudal
 

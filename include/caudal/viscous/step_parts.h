@@ -6,9 +6,6 @@
 
 namespace caudal
 {
-  /** Forces on a body by account, tested with its shape functions [N, in 2D N/m]. */
-  using BodyForces = std::map<LoadAccount, Vector<double>>;
-
   // The parts that the time schemes share, in the order in which a step takes them.
 
   /**
@@ -29,7 +26,7 @@ namespace caudal
   {
     std::vector<InteractionOperator<dim>> interactions;
     std::vector<BodyEquations<dim>>       equations; // they refer to the interactions
-    std::vector<BodyForces>               forces;
+    std::vector<ForcesByAccount>          forces;
     /** r_q = Z^T M_s (V - U*), V the velocity that a gait asks for. */
     std::vector<Vector<double>> frame_residuals;
   };
@@ -73,7 +70,7 @@ namespace caudal
    * elastic ones. Returns the mean power of what drives the body [W, in 2D W/m].
    */
   template <int dim>
-  double account_work(const Body<dim> &body, const BodyState &before, const BodyForces &forces,
+  double account_work(const Body<dim> &body, const BodyState &before, const ForcesByAccount &forces,
                       double dt, BodyState &after);
 
   /**
