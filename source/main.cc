@@ -69,6 +69,22 @@ namespace
   }
 
   /**
+   * A process that no launcher has started is alone. Open MPI starts a daemon beside it and looks
+   * for networks all the same, which takes as long as all else in a short run, unless its
+   * environment says that there will be nobody to talk to.
+   */
+  void tell_mpi_of_solitude()
+  {
+    for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+      if (std::getenv(name))
+        return;
+    const bool overwrites = false; // what users have set
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrites);
+    setenv("OMPI_MCA_pml", "ob1", overwrites);
+    setenv("OMPI_MCA_btl", "self", overwrites);
+  }
+
+  /**
    * Memory that was freed stays with the process: each step's factorisation asks for it again,
    * and to get it from the system page by page is a tenth of a step.
    */
@@ -253,6 +269,7 @@ namespace
 int main(int argc, char **argv)
 {
   ignores_hangup = std::signal(SIGHUP, SIG_IGN) == SIG_IGN; // MPI changes it
+  tell_mpi_of_solitude();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // A file that exceeds its limit is an error like that of a full disk.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -64,8 +64,9 @@ namespace caudal
   {
     double largest_change = 0;
     for (unsigned int k = 0; k < n_times && space.balances_fluxes(); ++k)
-      largest_change = std::max(
-          largest_change, std::abs(space.get_outflow_factor(end_time * k / (n_times - 1)) - 1));
+      largest_change =
+          std::max(largest_change,
+                   std::abs(space.get_outflow_factor({end_time * k / (n_times - 1), {}}) - 1));
     return largest_change;
   }
 

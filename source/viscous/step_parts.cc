@@ -15,7 +15,7 @@ namespace caudal
     MomentumStep         momentum;
     momentum.weights   = point.weights;
     momentum.transport = point.has_transport() ? &point.transport : nullptr;
-    momentum.time      = point.time;
+    momentum.instant   = point.end;
     operators.momentum.assemble(momentum, operators.space.make_velocity_vector(),
                                 operators.space.make_pressure_vector());
     operators.solver.recall(linearise_bodies(operators, point).equations, memory.linearisation);

@@ -222,6 +222,36 @@ namespace
               << moment / (std::sqrt(2.) * 10 * area) << '\n';
   }
 
+  /** Springs and dampers on the far end of the beam, which is moved away from them. */
+  template <int dim>
+  void test_surface_springs()
+  {
+    Setup<dim> setup;
+    setup.parameters.surface_spring = "if(x>0.999, 3, 0)";
+    setup.parameters.surface_damper = "if(x>0.999, 5, 0)";
+    const SolidBody<dim> body(setup.parameters, Surroundings{1., 0.1});
+    const auto           load = make_feedback_load(body);
+    Tensor<1, dim>       shift;
+    shift[0]          = 0.2;
+    shift[1]          = -0.1;
+    const double area = dim == 2 ? 0.3 : 0.3 * 0.4;
+    const auto   force =
+        compute_force(*load, setup.map([&](const Tensor<1, dim> &old) { return old + shift; }));
+    BodyResponse response(body.get_sparsity_pattern());
+    compute_force(*load, body.get_initial_positions(), &response);
+    Vector<double> uniform(body.n_dofs());
+    for (const auto &node : body.get_nodes())
+      set_value(uniform, node, shift);
+    std::cout << "  surface springs: force "
+              << setup.get_resultant(force, body.get_initial_positions()).first /
+                     (3 * area * shift.norm())
+              << ", energy "
+              << response.stiffness.matrix_norm_square(uniform) / (3 * area * shift.norm_square())
+              << ", damping "
+              << response.damping.matrix_norm_square(uniform) / (5 * area * shift.norm_square())
+              << '\n';
+  }
+
   /** The stabilisation of the cells' volumes: its force, energy and stiffness alone. */
   template <int dim>
   void test_volume_stabilisation()
@@ -290,6 +320,7 @@ namespace
     test_rigid_motion(setup);
     test_deformation(setup);
     test_surface_load<dim>();
+    test_surface_springs<dim>();
     test_volume_stabilisation<dim>();
     try
     {
