@@ -51,8 +51,8 @@ namespace caudal
           step.report.bodies.emplace_back();
           step.report.bodies[b].muscle_power =
               account_work(body, state.bodies[b],
-                           compute_middle_forces(operators, body, state.time.get_time(), dt,
-                                                 state.bodies[b], step.state.bodies[b]),
+                           compute_middle_forces(operators, body, state.time, dt, state.bodies[b],
+                                                 step.state.bodies[b]),
                            dt, step.state.bodies[b]);
         }
 
@@ -200,21 +200,30 @@ namespace caudal
 
       /** Forces in the middle of the step: their work is of second order, as the scheme is. */
       static ForcesByAccount compute_middle_forces(const Operators<dim> &operators,
-                                              const Body<dim> &body, const double time,
-                                              const double dt, const BodyState &before,
-                                              const BodyState &after)
+                                                   const Body<dim>      &body,
+                                                   const TimeStepper &stepper, const double dt,
+                                                   const BodyState &before, const BodyState &after)
       {
+        const double       time     = stepper.get_time();
+        const bool         is_first = stepper.get_previous_step() == 0;
         TimerOutput::Scope timer_section(operators.timer, "assemble body");
         Vector<double>     positions(before.positions), velocity(before.velocity);
         positions.sadd(0.5, 0.5, after.positions);
         velocity.sadd(0.5, 0.5, after.velocity);
         const BodyMotion motion{positions, velocity, time + 0.5 * dt, dt, after.contraction};
-        std::vector<LoadAccount> accounts{LoadAccount::feedback, LoadAccount::muscle};
+        std::vector<LoadAccount> accounts{LoadAccount::muscle};
         if (body.has_gait())
-          accounts = {LoadAccount::feedback, LoadAccount::elastic, LoadAccount::gravity};
+          accounts = {LoadAccount::elastic, LoadAccount::gravity};
         ForcesByAccount forces;
         for (const LoadAccount account : accounts)
           forces[account] = body.compute_force(account, motion);
+        // What is held stiffly is so at the ends of the step only, and not yet at the start.
+        Vector<double> &feedback = forces[LoadAccount::feedback];
+        feedback = body.compute_force(LoadAccount::feedback, body.get_motion(after, time + dt, dt));
+        if (!is_first)
+          feedback.sadd(
+              0.5, 0.5,
+              body.compute_force(LoadAccount::feedback, body.get_motion(before, time, dt)));
         return forces;
       }
 
