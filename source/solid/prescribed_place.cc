@@ -35,8 +35,9 @@ namespace caudal
                 ExcMessage(path + "/Translation: it is not 0 at t = 0. Let it begin at 0; "
                                   "Shape/Position places the body."));
     AssertThrow((motion.rotation - Tensor<2, dim>(unit_symmetric_tensor<dim>())).norm() < 1e-12,
-                ExcMessage(path + "/Rotation: it is not 0 at t = 0. Let it begin at 0; Shape/Rotation "
-                                  "turns the body."));
+                ExcMessage(path +
+                           "/Rotation: it is not 0 at t = 0. Let it begin at 0; Shape/Rotation "
+                           "turns the body."));
   }
 
   template <int dim>

@@ -24,7 +24,7 @@ namespace caudal
 
         std::vector<Vector<double>>           predicted;
         std::vector<InteractionOperator<dim>> interactions;
-        std::vector<ForcesByAccount>               forces;
+        std::vector<ForcesByAccount>          forces;
         const std::vector<Contraction>        contractions = command_muscles(operators, state, dt);
         for (unsigned int b = 0; b < operators.bodies.size(); ++b)
         {
@@ -96,7 +96,8 @@ namespace caudal
       }
 
       /** Phi = C^-1 b */
-      static Vector<double> compute_force_density(const Body<dim> &body, const ForcesByAccount &forces)
+      static Vector<double> compute_force_density(const Body<dim>       &body,
+                                                  const ForcesByAccount &forces)
       {
         Vector<double> density(body.get_solid().n_dofs());
         for (const auto &account : forces)
