@@ -10,7 +10,7 @@ import typing
 
 import numpy as np
 
-from . import studies, surface
+from . import loads, studies, surface
 from .figures import (MILLIMETRE, Figure, Signal, check_body, check_ledger,
                       compare_force_accounts, describe)
 
@@ -314,6 +314,18 @@ CASES = {case.name: case for case in (
          curves=("eel: u of centre of mass",)),
     Case("eel_ibamr", "IBAMR's eel on three grids", "10 min", surface.evaluate_eel_ibamr,
          surface.EEL_VARIANTS, curves=("eel: u of centre of mass",)),
+    Case("falling_disc", "gravity: drag and weight less buoyancy", "30 s",
+         loads.evaluate_falling_disc, curves=("disc: v of centre of mass",)),
+    Case("oscillating_cylinder", "prescribed motion, in fluid at rest and in the cylinder's frame",
+         "1.5 min", loads.evaluate_oscillating_cylinder, ((), loads.STREAM)),
+    Case("pulsating_channel", "lift of an unsteady flow with large steps", "1 min",
+         loads.evaluate_pulsating_channel, ((), ("Time/Step=0.005",))),
+    Case("pulled_rectangle", "rest under a dead load, stretched", "5 s",
+         loads.evaluate_pulled_rectangle),
+    Case("rest_under_pull", "rest under a dead load, all round", "5 s",
+         loads.evaluate_rest_under_pull),
+    Case("squeezed_disc", "rest under a dead load, for 100 s", "1 min",
+         loads.evaluate_squeezed_disc),
     Case("couette", "circular Couette flow, place of an immersed wall", "1 min",
          surface.evaluate_couette, surface.COUETTE_VARIANTS),
     Case("slanted_channel", "channel between slanted immersed walls", "1 min",

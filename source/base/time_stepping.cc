@@ -63,7 +63,7 @@ namespace caudal
   }
 
   TimeWeights TimeWeights::backward_differentiation(const double step, const double previous_step,
-                                                    const double older_step)
+                                                    const double older_step, const double curvature)
   {
     if (previous_step == 0)
       return {{1 / step, -1 / step, 0}, {1, 0}, {1, 0, 0}};
@@ -75,7 +75,8 @@ namespace caudal
     if (older_step > 0)
     {
       // Newton's form: the parabola adds (y[n, n-1] - y[n-1, n-2]) factor to the line.
-      const double factor = 2. / 3. * step * (step + previous_step) / (previous_step + older_step);
+      const double factor =
+          curvature * step * (step + previous_step) / (previous_step + older_step);
       weights.transport[0] += factor / previous_step;
       weights.transport[1] -= factor / previous_step + factor / older_step;
       weights.transport[2] += factor / older_step;
@@ -98,7 +99,11 @@ namespace caudal
 
   TimeWeights TimeStepper::get_weights(const double step) const
   {
-    return TimeWeights::backward_differentiation(step, previous_step, older_step);
+    // Steps that lead to a steady flow in few large leaps would only swing with a parabola.
+    constexpr double largest_cfl = 10;
+    const double     curvature =
+        2. / 3. * std::clamp(2. - convective_rate * step / largest_cfl, 0., 1.);
+    return TimeWeights::backward_differentiation(step, previous_step, older_step, curvature);
   }
 
   void TimeStepper::accept(const double step, const Indicators &indicators)
@@ -106,8 +111,9 @@ namespace caudal
     // Predicted and computed positions of BDF2 differ by a term of third order in the step.
     const double order = parameters->is_explicit() || previous_step == 0 ? 2 : 3;
     time += step;
-    older_step    = previous_step;
-    previous_step = step;
+    older_step      = previous_step;
+    previous_step   = step;
+    convective_rate = indicators.convective_cfl / step;
     ++step_number;
     if (parameters->adaptive)
     {

@@ -15,7 +15,7 @@ namespace caudal
   template <int dim>
   void BodyForceLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant)
   {
-    if (are_zero())
+    if (are_zero() || this->are_known(instant))
       return;
     const auto     &element = dofs.get_fe();
     Expression<dim> function("Fluid/Body force", parameters.body_force, dim);

@@ -13,8 +13,6 @@ namespace caudal
   void CellLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant,
                               const std::function<void(const Cell &, double *)> &add)
   {
-    if (is_valid && valid_instant == instant)
-      return;
     is_valid   = false;
     n_per_cell = dofs.get_fe().n_dofs_per_cell();
     loads.assign(dofs.get_triangulation().n_active_cells() * n_per_cell, 0.);

@@ -21,21 +21,15 @@ namespace caudal
   template <int dim>
   SideLoads<dim>::SideLoads(const Conditions &conditions)
       : conditions(conditions)
+      , has_tractions(std::any_of(conditions.begin(), conditions.end(), [](const auto &condition) {
+        return condition->make_traction(get_normal<dim>(0), 0.) != nullptr;
+      }))
   {}
-
-  template <int dim>
-  bool SideLoads<dim>::are_zero() const
-  {
-    unsigned int side = 0;
-    return std::none_of(conditions.begin(), conditions.end(), [&](const auto &condition) {
-      return condition->make_traction(get_normal<dim>(side++), 0.) != nullptr;
-    });
-  }
 
   template <int dim>
   void SideLoads<dim>::update(const DoFHandler<dim> &dofs, const Instant &instant)
   {
-    if (are_zero())
+    if (are_zero() || this->are_known(instant))
       return;
     std::vector<std::unique_ptr<Function<dim>>> tractions;
     for (unsigned int side = 0; side < conditions.size(); ++side)

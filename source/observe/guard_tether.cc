@@ -14,15 +14,14 @@ namespace caudal
     {
       const SolidBody<dim> &solid     = body.body.get_solid();
       const Vector<double> &positions = body.state.positions;
-      const auto           &lattice   = observation.lattice;
-      const Tensor<1, dim>  h         = lattice.get_cell_size(lattice.get_finest_level());
-      double                largest   = 0;
+      const Vector<double>  held = body.body.get_solid().compute_held_positions(observation.time);
+      const auto           &lattice = observation.lattice;
+      const Tensor<1, dim>  h       = lattice.get_cell_size(lattice.get_finest_level());
+      double                largest = 0;
       for (const auto &node : solid.get_nodes())
         for (unsigned int d = 0; d < dim; ++d)
           if (solid.get_feedback_stiffness().diag_element(node[d]) > 0)
-            largest = std::max(
-                largest,
-                std::abs(positions[node[d]] - solid.get_initial_positions()[node[d]]) / h[d]);
+            largest = std::max(largest, std::abs(positions[node[d]] - held[node[d]]) / h[d]);
       return largest;
     }
 

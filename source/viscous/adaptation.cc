@@ -242,6 +242,7 @@ namespace caudal
       renumber(operators, state.fluid);
     }
     state.solver.linearisation.reset();
+    // The older one only transports, for which its small divergence does not matter.
     for (FieldVector *velocity : {&state.fluid.velocity, &state.fluid.old_velocity})
       project(operators, state.time.get_step(), state.solver, *velocity);
     state.solver.linearisation.reset();

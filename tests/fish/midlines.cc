@@ -139,14 +139,14 @@ int main()
                                    {"Midline/Smoothing time", "0.01"}});
   check("curvatures", {{"Midline/File", "curvatures.csv"}, {"Midline/Quantity", "curvature"}});
 
-  const std::string row = ", 0,0, 1,0, 2,0, 3,0, 4,0, 5,0\n";
+  const std::string row = ";0;0;1;0;2;0;3;0;4;0;5;0\n";
   print_error("0" + row + "1" + row, {});
   print_error("0" + row + "1" + row + "2" + row + "3" + row, {});
   print_error("0" + row + "1" + row + "1" + row + "3" + row, {{"Midline/Harmonics", "1"}});
-  print_error("0" + row + "1, 0,0\n2" + row + "3" + row, {{"Midline/Harmonics", "1"}});
-  print_error("0" + row + "1, 0,0, 1,0, 1,0, 3,0, 4,0, 5,0\n2" + row + "3" + row,
+  print_error("0" + row + "1;0;0\n2" + row + "3" + row, {{"Midline/Harmonics", "1"}});
+  print_error("0" + row + "1;0;0;1;0;1;0;3;0;4;0;5;0\n2" + row + "3" + row,
               {{"Midline/Harmonics", "1"}});
   print_error("0" + row + "1" + row + "2" + row + "3" + row,
               {{"Midline/Modes", "5"}, {"Midline/Harmonics", "1"}});
-  print_error("0,1\n1,1\n2,1\n3,1\n", {});
+  print_error("0;1\n1;1\n2;1\n3;1\n", {});
 }

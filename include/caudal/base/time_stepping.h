@@ -33,9 +33,9 @@ namespace caudal
    * and of the extrapolation y(t^{n+1}) ~ extrapolation[0] y^n + extrapolation[1] y^{n-1}.
    *
    * A velocity that transports is extrapolated further, by transport[0] y^n + transport[1] y^{n-1}
-   * + transport[2] y^{n-2}: linearly, and by two thirds of what a parabola adds. The error of the
-   * linear one, + dt^2 y'', makes the lift of unsteady flows too large, the parabola, with the
-   * formula's own damping, too small; measured in prm/benchmarks/README.md.
+   * + transport[2] y^{n-2}: linearly, and by the part @p curvature of what a parabola adds. With
+   * two thirds of it the error of the linear one, which makes the lift of unsteady flows too large,
+   * and that of the formula, which makes it too small, cancel (prm/benchmarks/README.md).
    */
   struct TimeWeights
   {
@@ -48,7 +48,7 @@ namespace caudal
      * 0. With @p older_step = 0, of the step before that one, transport is extrapolated linearly.
      */
     static TimeWeights backward_differentiation(double step, double previous_step,
-                                                double older_step);
+                                                double older_step, double curvature);
   };
 
   /** The time level of a state, and the size of the step that comes next. */
@@ -121,17 +121,18 @@ namespace caudal
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &time &regular_step &previous_step &older_step &step_number;
+      archive &time &regular_step &previous_step &older_step &convective_rate &step_number;
     }
 
   private:
     const TimeParameters *parameters;
-    double                time          = 0;
-    double                step          = 0;
-    double                regular_step  = 0;
-    double                previous_step = 0;
-    double                older_step    = 0;
-    unsigned int          step_number   = 0;
+    double                time            = 0;
+    double                step            = 0;
+    double                regular_step    = 0;
+    double                previous_step   = 0;
+    double                older_step      = 0;
+    double                convective_rate = 0; // convective CFL number over step [1/s]
+    unsigned int          step_number     = 0;
 
     void choose_step();
   };

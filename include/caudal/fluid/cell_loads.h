@@ -33,9 +33,15 @@ namespace caudal
     }
 
   protected:
+    /** Whether the loads are those of this @p instant. */
+    bool are_known(const Instant &instant) const
+    {
+      return is_valid && valid_instant == instant;
+    }
+
     /**
-     * Has @p add called with each locally owned cell of @p dofs and its loads, which are zero,
-     * unless that was done for the same @p instant. What it throws leaves the loads forgotten.
+     * Has @p add called with each locally owned cell of @p dofs and its loads, which are zero. What
+     * it throws leaves the loads forgotten.
      */
     void update(const DoFHandler<dim> &dofs, const Instant &instant,
                 const std::function<void(const Cell &, double *)> &add);

@@ -26,10 +26,14 @@ namespace caudal
     void update(const DoFHandler<dim> &dofs, const Instant &instant);
 
     /** Whether no side has a traction, and there are no loads. */
-    bool are_zero() const;
+    bool are_zero() const
+    {
+      return !has_tractions;
+    }
 
   private:
     const Conditions &conditions;
+    const bool        has_tractions;
   };
 } // namespace caudal
 
