@@ -48,7 +48,8 @@ namespace caudal
       const Places &balance = velocity, &kinematic = force_density; // rows
 
       auto &[rows, columns, values] = equations.matrix;
-      const std::size_t n_entries   = 2 * coupling_mass.n_nonzero_elements() + response.n_nonzero_elements();
+      const std::size_t n_entries =
+          2 * coupling_mass.n_nonzero_elements() + response.n_nonzero_elements();
       rows.reserve(n_entries);
       columns.reserve(n_entries);
       values.reserve(n_entries);
