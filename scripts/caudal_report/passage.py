@@ -43,7 +43,7 @@ def make_answer(facts):
 
 
 def format_if_any(value):
-    return page.format_number(value, 3) if value > 0 else "none"
+    return page.format_number(value, 3) if value else "none"
 
 
 def make_band_table(facts):

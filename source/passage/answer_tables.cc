@@ -3,7 +3,9 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace caudal::passage
@@ -22,10 +24,16 @@ namespace caudal::passage
       template <class Value>
       void set(const std::string &header, const Value &value)
       {
-        if (!has_headers)
-          headers += (headers.empty() ? "" : ",") + header;
-        rows << (is_first ? "" : ",") << value;
-        is_first = false;
+        begin_field(header);
+        rows << value;
+      }
+
+      /** A number; nothing where it is not known. */
+      void set(const std::string &header, const double value)
+      {
+        begin_field(header);
+        if (std::isfinite(value))
+          rows << value;
       }
 
       void end_row()
@@ -44,7 +52,17 @@ namespace caudal::passage
       std::string        headers;
       std::ostringstream rows;
       bool               has_headers = false, is_first = true;
+
+      void begin_field(const std::string &header)
+      {
+        if (!has_headers)
+          headers += (headers.empty() ? "" : ",") + header;
+        rows << (is_first ? "" : ",");
+        is_first = false;
+      }
     };
+
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     /** A text within quotes, as spreadsheets want it. */
     std::string quote(const std::string &text)
@@ -76,7 +94,7 @@ namespace caudal::passage
       }
       csv.set("largest water velocity [m/s]", verdict.waterway.compute_largest_velocity());
       if (k < answers.designs.size())
-        csv.set(get_design_column(parameters.design), answers.designs[k].value.value_or(0.));
+        csv.set(get_design_column(parameters.design), answers.designs[k].value.value_or(unknown));
       if (parameters.turbine.is_asked_for())
         csv.set("strike at the tip of the blades [1]",
                 parameters.turbine.compute_strike(parameters.population.compute_mean_length(), 1.));
@@ -97,7 +115,7 @@ namespace caudal::passage
           csv.set("distance [m]", point.water.distance);
           csv.set("time [s]", point.time);
           csv.set("water velocity [m/s]", point.water.velocity);
-          csv.set("depth [m]", point.water.depth);
+          csv.set("depth [m]", verdict.waterway.has_depths ? point.water.depth : unknown);
           csv.set("swimming speed [m/s]", point.speed);
           csv.set("fatigue [1]", point.fatigue);
           csv.set("energy [J]", point.energy);

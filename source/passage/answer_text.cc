@@ -2,6 +2,7 @@
 #include <caudal/passage/answer_output.h>
 #include <caudal/passage/print.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -27,7 +28,9 @@ namespace caudal::passage
             << (answer.ascent.passes() ? "passes" : describe(answer.ascent.cause)) << std::right
             << std::setw(10) << print_number(answer.ascent.place) << std::setw(10)
             << print_number(answer.ascent.time) << std::setw(24)
-            << (answer.velocity_factor > 0. ? print_number(answer.largest_velocity) : "none")
+            << (answer.velocity_factor == 0.             ? "none"
+                : std::isfinite(answer.largest_velocity) ? print_number(answer.largest_velocity)
+                                                         : "unknown")
             << std::setw(21)
             << (answer.smallest_length > 0. ? print_number(answer.smallest_length) : "none")
             << '\n';

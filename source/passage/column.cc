@@ -50,7 +50,18 @@ namespace caudal::passage
       const auto [header, header_unit] = split_header(table.header[k]);
       if (header != lower(name) && lower(table.header[k]) != lower(name))
         continue;
-      AssertThrow(units.count(header_unit) == 0 || units.at(header_unit) == units.at(unit),
+      if (header_unit.empty() || lower(table.header[k]) == lower(name))
+        return k; // the entry of the unit decides
+      std::vector<std::string> known;
+      for (const auto &entry : units)
+        known.push_back(entry.first);
+      AssertThrow(units.count(header_unit) > 0,
+                  ExcMessage(table.header_place + "the header gives the " + quantity +
+                             " in the unit <" + header_unit + ">, which is none of " +
+                             list_names(known) + ". Write one of them, or give " + path +
+                             "/Column of " + quantity + " = " + table.header[k] +
+                             " and its unit."));
+      AssertThrow(units.at(header_unit) == units.at(unit),
                   ExcMessage(table.header_place + "the header gives the " + quantity + " in " +
                              header_unit + ", and " + path + "/Unit of " + quantity + " is " +
                              unit + ". Give the right one to the entry."));

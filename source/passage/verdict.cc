@@ -6,6 +6,7 @@
 #include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace caudal::passage
 {
@@ -63,11 +64,13 @@ namespace caudal::passage
       BandAnswer answer;
       answer.ascent           = question.ascend(waterway, length, band.ability, options);
       answer.velocity_factor  = find_velocity_factor(question, waterway, length, band.ability);
-      answer.largest_velocity = answer.velocity_factor * waterway.compute_largest_velocity();
+      const double unknown    = std::numeric_limits<double>::quiet_NaN();
+      const double velocity   = waterway.compute_largest_velocity();
+      answer.largest_velocity = velocity > 0. ? answer.velocity_factor * velocity : unknown;
       const auto smallest     = find_threshold(
           [&](const double l) { return question.passes(waterway, std::exp(l), band.ability); },
           std::log(1e-3), std::log(largest_length));
-      answer.smallest_length = smallest ? std::exp(*smallest) : 0.;
+      answer.smallest_length = smallest ? std::exp(*smallest) : unknown;
       return answer;
     }
 

@@ -68,6 +68,7 @@ table "a missing velocity" 'distance,velocity,depth\n0,1,0.4\n10,,0.4\n'
 table "a word for a velocity" 'distance,velocity,depth\n0,1,0.4\n10,fast,0.4\n'
 table "centimetres a second" 'distance,velocity,depth\n0,100,0.4\n10,120,0.4\n'
 table "a unit in the header that the entry contradicts" 'distance,velocity [ft/s],depth\n0,3,0.4\n10,4,0.4\n'
+table "a unit that is not known" 'distance,velocity [knots],depth\n0,3,0.4\n10,4,0.4\n'
 table "feet in the row of units below the header" 'distance,velocity,depth\n(m),(ft/s),(m)\n0,3,0.4\n10,4,0.4\n'
 table "no column of depths of that name" 'distance,velocity,depth\n0,1,0.4\n10,1,0.4\n' -D "Passage/Profile/Column of depth=Hydr Depth"
 table "a discharge that changes along the way" 'distance,velocity,discharge\n0,1,2\n20,1,2\n30,1,1\n50,1,1\n'

@@ -125,3 +125,14 @@ check "a swum fish spends energy" "$(value "energy of the median" reach) > 0"
 
 "$CAUDAL" --check reach.prm | tail -n 1
 "$CAUDAL" --print-parameters reach.prm | grep -c "set Solve for"
+
+# What is not known is left blank: the largest velocity of still water, a depth that is not given.
+printf 'distance,velocity\n0,0\n100,0\n' >still.csv
+sed -e 's/Table = .*/File = still.csv/' reach.prm >still.prm
+caudal still.prm -D Output/Folder=still
+/usr/bin/python3 - <<'PY'
+import csv
+row = next(csv.DictReader(open("still/summary.csv")))
+print("blank:", ", ".join(name for name, value in row.items() if value == ""))
+print("depths:", {row["depth [m]"] for row in csv.DictReader(open("still/way.csv"))})
+PY

@@ -31,10 +31,11 @@ namespace caudal::passage
     /** The factor on all velocities with which it just passes; 0: it does not with any. */
     double velocity_factor = 0.;
 
-    /** The largest velocity that it passes, [m/s], where that of the profile is. */
+    /** The largest velocity that it passes, where that of the profile is [m/s]; NaN in still water.
+     */
     double largest_velocity = 0.;
 
-    /** The smallest length that passes [m]; 0: none does. */
+    /** The smallest length that passes [m]; NaN: none does. */
     double smallest_length = 0.;
   };
 
