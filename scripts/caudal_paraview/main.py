@@ -7,8 +7,8 @@ import sys
 
 import numpy as np
 
-from caudal_plots import MissingData, fields, flow, style
-from caudal_plots.results import Run
+from caudal import Run, fields
+from caudal_plots import MissingData, flow, style
 from caudal_salmon import pictures
 
 VIEW = pathlib.Path(__file__).resolve().parent / "view.py"

@@ -5,8 +5,9 @@ import argparse
 import pathlib
 import sys
 
+from caudal import Run
+
 from . import MissingData, flow, history, passage, style
-from .results import Run
 
 # Of the immersed model: file name in DIR/plots, what it shows, the function that draws it.
 FIGURES = (

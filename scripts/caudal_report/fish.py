@@ -3,9 +3,9 @@
 
 import numpy as np
 
+from caudal import Run, read_parameters
 from caudal_plots import style
 from caudal_plots.main import FIGURES
-from caudal_plots.results import Run
 
 from . import common, files, movie, page, school, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
@@ -173,8 +173,8 @@ def make_swim_section(reports):
 
 def describe(folder, n_frames, with_pictures, lone=None):
     """The page of a run; MissingData if what it can't do without is not there."""
-    entries, log, run = files.read_parameters(folder), files.Log(folder), Run(folder)
-    reports = tables.read_swim(folder)
+    entries, log, run = read_parameters(folder), files.Log(folder), Run(folder)
+    reports = list(run.swims.values())
     end = run.time[-1]
     names = ", ".join(run.bodies)
     plane = dict((entry, value) for section, entry, value, _ in entries if not section

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a run of the swimmer in an ideal fluid."""
 
-import csv
 import re
 
 import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw
 
-from caudal_plots import MissingData, fields, style
-from caudal_salmon import paper, pictures, runs
+from caudal import MissingData, Run, fields, read_parameters
+from caudal.tables import get_name
+from caudal_plots import style
+from caudal_salmon import paper, pictures
 
 from . import common, files, movie, page
 from .chart import make_chart, make_curve
@@ -18,30 +19,14 @@ TIME = "time [s]"
 ZERO = 1e-7  # of a turn or radius, what is round-off
 
 
-def read_summary(folder):
+def read_summary(run):
     """Names with units, and for each frequency their values, from summary.csv."""
-    path = folder / "summary.csv"
-    if not path.is_file():
-        raise MissingData(f"There is no {path}: it is written at the end of the run.")
-    rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
-    try:
-        values = [[float(cell) for cell in row] for row in rows[1:]]
-    except ValueError as error:
-        raise MissingData(f"{path} has a cell that is no number: {error}.") from error
-    if not values or any(len(row) != len(rows[0]) for row in values):
-        raise MissingData(f"{path} has no whole row for any frequency. Was it cut off?")
-    return rows[0], values
+    return list(run.summary), run.summary.values.tolist()
 
 
-def read_statistics(folder, frequencies):
+def read_statistics(run, frequencies):
     """For each frequency its columns over time, by name without unit."""
-    try:
-        data = [runs.read_statistics(folder, f) for f in frequencies]
-    except (OSError, ValueError) as error:
-        raise MissingData(f"The statistics of {folder} can't be read: {error}.") from error
-    if any("time" not in columns or len(np.atleast_1d(columns["time"])) < 2 for columns in data):
-        raise MissingData(f"The statistics of {folder} have fewer than two rows.")
-    return data
+    return [run.read_statistics(f).rename(columns=get_name) for f in frequencies]
 
 
 def make_engineers_table(names, values):
@@ -181,13 +166,13 @@ def draw_swimming(folder, frequencies):
 
 def describe(folder, n_frames, with_pictures):
     """The page of a run; MissingData if what it can't do without is not there."""
-    entries, log = files.read_parameters(folder), files.Log(folder)
-    names, values = read_summary(folder)
+    entries, log, run = read_parameters(folder), files.Log(folder), Run(folder)
+    names, values = read_summary(run)
     frequencies = [row[0] for row in values]
-    data = read_statistics(folder, frequencies)
+    data = read_statistics(run, frequencies)
     middle = frequencies[len(frequencies) // 2]
     report = page.Page(f"Caudal: {folder.resolve().name}, a swimmer in an ideal fluid",
-                       f"t = 0 to {data[0]['time'][-1]:g} s at "
+                       f"t = 0 to {data[0]['time'].iloc[-1]:g} s at "
                        + ", ".join(f"{f:g}" for f in frequencies) + " strokes a second, "
                        f"{common.make_state(log)}.")
     report.add("Results", make_tiles(names, values)
