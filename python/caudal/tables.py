@@ -48,7 +48,8 @@ def read_table(path):
 
 
 def read_summary(path):
-    """A table with commas and one row of headers, such as summary.csv."""
+    """A table of numbers with commas and one row of headers, such as summary.csv; where there is no
+    number, such as that of a stroke of a swim without a whole one, is nan."""
     path = pathlib.Path(path)
     if not path.is_file():
         raise MissingData(f"There is no {path}: it is written at the end of the run.")
@@ -56,7 +57,7 @@ def read_summary(path):
         table = pd.read_csv(path)
     except ValueError as error:  # pandas' own errors are such, too
         raise BrokenData(f"{path} has no whole row of numbers. Was it cut off?") from error
-    numbers = table.select_dtypes("number")
-    if table.empty or numbers.shape != table.shape or numbers.isna().any(axis=None):
+    is_whole = path.read_bytes().endswith(b"\n")
+    if table.empty or not is_whole or table.select_dtypes("number").shape != table.shape:
         raise BrokenData(f"{path} has no whole row of numbers. Was it cut off?")
     return table
