@@ -16,6 +16,7 @@ from . import common, files, movie, page
 from .chart import make_chart, make_curve
 
 TIME = "time [s]"
+N_STROKES = 3  # of which torques are shown
 ZERO = 1e-7  # of a turn or radius, what is round-off
 
 
@@ -35,7 +36,7 @@ def make_engineers_table(names, values):
     for k, name in enumerate(names[1:], 1):
         cells = [0. if name.startswith(("turn", "radius")) and abs(row[k]) < ZERO else row[k]
                  for row in values]
-        rows.append([name] + [page.format_number(cell) for cell in cells])
+        rows.append([name_joint(name)] + [page.format_number(cell) for cell in cells])
     header = ["quantity"] + [f"{row[0]:g} " + page.make_element("small", "[Hz]") for row in values]
     return page.make_table(header, rows, "The whole fish, in three dimensions: nothing is per metre "
                                          "of span. Powers: mean over whole strokes; gross: of the "
@@ -71,20 +72,28 @@ def make_time_charts(frequencies, data):
                                 "what it took."))
     paths = [make_curve(f"{f:g} Hz", 100 * c["x of centre of mass"], 100 * c["y of centre of mass"],
                         style.LINES[i % 7]) for i, (f, c) in enumerate(zip(frequencies, data))]
-    charts.append(make_chart("Path of the centre of mass from above", "x [cm]", "y [cm]", paths))
+    charts.append(make_chart("Path of the centre of mass from above", "x [cm]", "y [cm]", paths,
+                             equal=True))
     return charts
 
 
+def name_joint(text):
+    """Joints are called so everywhere, also where the program's tables say modes of deformation."""
+    return re.sub(r"\bof mode (\d+)", r"of joint \1", text)
+
+
 def make_torque_charts(frequencies, data):
-    """The torques of the joints: a chart for each frequency."""
+    """The torques of the joints over the first strokes, which repeat themselves: a chart for each
+    frequency."""
     charts = []
     for f, columns in zip(frequencies, data):
         names = [name for name in columns if re.match(r"torque of mode \d+$", name)]
         if names:
-            curves = [make_curve(name.replace("torque of mode", "joint"), columns["time"],
-                                 columns[name], style.LINES[i % 7]) for i, name in enumerate(names)]
-            charts.append(make_chart(f"Torques of the joints at {f:g} Hz", TIME, "torque [N m]",
-                                     curves, group="time", zero=True))
+            shown = columns[columns["time"] <= N_STROKES / f]
+            curves = [make_curve(name.replace("torque of mode", "joint"), shown["time"], shown[name],
+                                 style.LINES[i % 7]) for i, name in enumerate(names)]
+            charts.append(make_chart(f"Torques of the joints at {f:g} Hz: the first strokes", TIME,
+                                     "torque [N m]", curves, zero=True))
     return charts
 
 
@@ -157,7 +166,7 @@ def make_surface_movie(folder, frequency, count):
 
 
 def draw_swimming(folder, frequencies):
-    """The picture of the paper's figures 8, 9 and 13 for this run."""
+    """The fish through a stroke, and on its way, at each frequency."""
     for f in frequencies:
         for _, file in pictures.read_series(folder, f):
             fields.check_whole(file)
@@ -194,12 +203,14 @@ def describe(folder, n_frames, with_pictures):
         report.add("Torques", report.place_charts(torques))
     relations = make_relation_charts(names, values)
     if relations:
-        report.add("Speed and frequency: the relations of table 2", page.make_note(
+        report.add("Speed and frequency: empirical relations", page.make_note(
             "Empirical relations that the paper collects, with the units of their sources as far as "
             "they say, beside this run: no agreement is claimed.") + report.place_charts(relations))
     if with_pictures and n_frames > 0:
         report.add("Pictures", common.draw_picture(
             report, lambda: draw_swimming(folder, frequencies), "One stroke, and the way of the whole run"))
+    report.add("Next", common.make_next_steps(folder, log, "Body fish/Gait/Frequency=0.5:2:7",
+                                                  has_plots=False))
     report.add("Warnings", common.make_warnings(log))
     costs = [line for line in log.lines if line.startswith(("Table of phases", "CPU of rank 0"))]
     report.add("Time spent", page.join(page.make_note(line) for line in costs)

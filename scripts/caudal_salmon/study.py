@@ -147,7 +147,7 @@ def draw_relations(folder):
         panel.set_xlabel("tail-beat frequency F [Hz]")
         panel.set_ylabel(label)
         panel.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=2)
-    figure.suptitle("empirical relations of table 2 (units by source, as far as it says)\n"
+    figure.suptitle("Speed over tail-beat frequency: empirical relations (units by source, as far as it says)\n"
                     "and the model: no agreement is claimed")
     return figure
 
@@ -159,17 +159,17 @@ def main(folder):
     style.apply()
     figures = {
         "shapes": draw_over_time(folder, ("fish_one", "fish_two"), (REFERENCE,),
-                                 "the two shapes (the paper's figures 5 to 7)"),
+                                 f"Two shapes of fish at {REFERENCE} Hz: distance, speed, energy and torques"),
         "frequencies": draw_over_time(folder, ("fish_one",), FREQUENCIES,
-                                      "fish one at three frequencies (figures 10 to 12)"),
-        "salmon": draw_over_time(folder, ("salmon",), FREQUENCIES, "an outline of a real salmon"),
+                                      "Fish one at three frequencies: distance, speed, energy and torques"),
+        "salmon": draw_over_time(folder, ("salmon",), FREQUENCIES, "A salmon at three frequencies: distance, speed, energy and torques"),
         "power": draw_power(folder),
         "relations": draw_relations(folder),
         "swimming_shapes": pictures.draw_swimming(
             folder, [("fish_one", 0.95), ("fish_two", 0.95), ("salmon", 0.95)],
-            "swimming at 0.95 Hz (figures 8 and 9)"),
+            "Three fish swimming at 0.95 Hz, seen from above"),
         "swimming_frequencies": pictures.draw_swimming(
-            folder, [("fish_one", f) for f in FREQUENCIES], "fish one (figure 13)"),
+            folder, [("fish_one", f) for f in FREQUENCIES], "Fish one swimming at three frequencies, seen from above"),
     }
     for name, figure in figures.items():
         figure.savefig(folder / f"{name}.png")
