@@ -125,7 +125,7 @@ def make_relation_charts(names, values):
 
 def draw_surface(path, turn, window, size, limit):
     """The swimming surface from above, its pressure in colours."""
-    corners, pressure = pictures.read_surface(path)
+    corners, pressure = pictures.read_surface(path, 2)
     image = Image.new("RGB", size, "white")
     draw = ImageDraw.Draw(image)
     scale = size[0] / (window[1] - window[0])
