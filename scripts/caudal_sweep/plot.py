@@ -120,7 +120,7 @@ def draw(table, axes, entries, model, steady_only=False):
                        color=colour, label=label)
         set_limits(panel, name, done[name].to_numpy(float))
         panel.set_ylabel(f"{get_name(name)}\n{name.removeprefix(get_name(name)).strip()}".strip())
-        panel.set_xlabel(first.label)
+        panel.set_xlabel(first.label, loc="left")  # at the right a power of ten may stand
         if positions is None:
             panel.set_xticks(range(len(first.values)), first.values)
     for panel in panels.flat[len(names):]:
