@@ -113,7 +113,8 @@ def extrapolate(h, values):
     crossing = np.flatnonzero(misfit[1:] * misfit[:-1] <= 0)
     if len(crossing) == 0:
         return None, None
-    p = orders[crossing[0]]
+    k = crossing[0]
+    p = orders[k] + (orders[k + 1] - orders[k]) * misfit[k] / (misfit[k] - misfit[k + 1])
     return p, fine - (middle - fine) * h[2]**p / (h[1]**p - h[2]**p)
 
 

@@ -34,7 +34,8 @@ sweep salmon.prm "Body fish/Gait/Frequency=2.5:5:2" "Body fish/Gait/Wave number=
   --figures "distance,displacement a stroke"
 table both/sweep.csv
 ls both/runs
-file both/sweep.png | sed 's/.*: //; s/,.*//'
+head -c 4 both/sweep.png | tail -c 3
+echo " picture"
 sed -n 's/.*<p class="subtitle">/  /p' both/report.html | sed 's/<.*//'
 for page in $(grep -o 'href="runs[^"]*' both/report.html | sed 's/href="//; s/%2C/,/g; s/%3D/=/g'); do
   [ -s "both/$page" ] && echo "  a page that is there"
@@ -68,7 +69,7 @@ sweep changed.prm --list list.csv --folder listed --no-pages --figures "duration
 ls -d listed/runs/*/results*
 
 echo "* stopped, and gone on, as if it had not been"
-set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=1" --jobs 1 \
+set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=3" --jobs 1 \
   --figures "kinetic energy,least of disc: min J"
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder straight >/dev/null
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder stopped >printed 2>&1 &
