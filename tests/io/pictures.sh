@@ -34,6 +34,7 @@ limit = flow.get_vorticity_limit(fluid, bodies)
 far = np.unique(fluid.triangles[flow.find_far_triangles(fluid, bodies)])
 near = np.setdiff1d(np.arange(len(fluid.points)), far)
 fluid.data["vorticity"][near] *= 100
+print("points near the eel only, and others:", len(near) > 0, len(far) > 0)
 print("limit with a stronger boundary layer:", flow.get_vorticity_limit(fluid, bodies) / limit)
 fluid.data["vorticity"][far] *= 100
 print("with a stronger wake:", flow.get_vorticity_limit(fluid, bodies) / limit)
