@@ -3,6 +3,7 @@
 # What `cmake --install` puts where, and the package that find_package(caudal) finds:
 #   bin/caudal  lib/libcaudal.so  include/caudal/  lib/cmake/caudal/
 #   share/caudal/scripts/  share/caudal/prm/       the scripts for runs and the cases
+#   share/caudal/python/caudal/                    the package that reads results
 
 # The program finds its library wherever the two are moved together.
 file(RELATIVE_PATH _bin_to_lib
@@ -26,14 +27,15 @@ install(FILES
   DESTINATION ${_package})
 
 set(_share ${CMAKE_INSTALL_DATADIR}/caudal)
-foreach(_script swim plot report paraview salmon benchmark)
+foreach(_script swim sweep plot report paraview salmon benchmark)
   install(PROGRAMS scripts/${_script} DESTINATION ${_share}/scripts)
 endforeach()
 install(FILES scripts/environment scripts/caudal_setup.py DESTINATION ${_share}/scripts)
 install(DIRECTORY scripts/benchmarks DESTINATION ${_share}/scripts USE_SOURCE_PERMISSIONS)
-foreach(_python benchmarks paraview plots report salmon)
+foreach(_python benchmarks paraview plots report salmon sweep)
   install(DIRECTORY scripts/caudal_${_python} DESTINATION ${_share}/scripts
     PATTERN __pycache__ EXCLUDE)
 endforeach()
+install(DIRECTORY python/caudal DESTINATION ${_share}/python PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY prm DESTINATION ${_share})
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

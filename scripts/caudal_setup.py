@@ -8,6 +8,8 @@ import subprocess
 import sys
 
 SETUP = pathlib.Path(__file__).resolve().parent / "setup"
+# The package caudal, which reads results: in the sources, and in PREFIX/share/caudal.
+sys.path.insert(0, str(SETUP.parent.parent / "python"))
 
 
 def load_main(package):
@@ -20,6 +22,6 @@ def load_main(package):
             if not has_tried and SETUP.exists() and shutil.which("dpkg-query"):
                 subprocess.run([str(SETUP), "--no-build", "plots"], stdout=sys.stderr, check=False)
                 continue
-            sys.exit(f"{sys.argv[0]} needs numpy, matplotlib and VTK for {sys.executable}: {error}.\n"
-                     "Debian's packages python3-matplotlib and python3-vtk9 (or python3-paraview, "
+            sys.exit(f"{sys.argv[0]} needs pandas, matplotlib and VTK for {sys.executable}: {error}.\n"
+                     "Debian's packages python3-pandas, python3-matplotlib and python3-vtk9 (or python3-paraview, "
                      "which brings VTK, too) have them.")

@@ -130,3 +130,50 @@ subsection Output
 end
 EOF
 }
+
+# write_eel: eel.prm, a short swim of two tail beats, by a gait, with results in eel.
+write_eel() {
+  cat >eel.prm <<'EOF'
+set Bodies = eel
+subsection Time
+  set End time = 0.8
+  set Step     = 0.005
+end
+subsection Domain
+  set Size   = 2, 1
+  set Cells  = 6, 3
+  set Levels = 2
+end
+subsection Fluid
+  set Density             = 1
+  set Kinematic viscosity = 1e-3
+  # By itself it would be smaller, as the beat of this gait is a result, and this grid is very coarse.
+  set Grad-div stabilisation = 1
+end
+subsection Body eel
+  set Gait damping     = 1e4
+  set Monitored points = 1, 0
+  subsection Shape
+    set Type     = eel
+    set Elements = 16, 4
+    set Position = 0.5, 0.5
+  end
+  subsection Region body
+    set Material = none
+  end
+  subsection Gait
+    set Type          = curvature
+    set Start-up ramp = 0.1
+    set Curvature     = 3*s*sin(2*pi*(s-5*t))
+  end
+end
+subsection Coupling
+  set Kernel                   = dirac
+  set Accept unresolved bodies = true
+end
+subsection Output
+  set Folder             = eel
+  set Interval of fields = 0.2
+end
+EOF
+}

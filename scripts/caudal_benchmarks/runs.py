@@ -7,9 +7,9 @@ import re
 import subprocess
 import time
 
+from caudal import Run
 from caudal_plots.program import (ENVIRONMENT, PROGRAM, RESULTS, ROOT, get_mpirun,
                                    read_program)
-from caudal_plots.results import Run
 
 
 class RunError(Exception):

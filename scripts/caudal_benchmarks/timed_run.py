@@ -9,8 +9,8 @@ import shutil
 import subprocess
 import time
 
+from caudal import Run
 from caudal_plots.program import ENVIRONMENT, PROGRAM, RESULTS, ROOT, get_mpirun
-from caudal_plots.results import Run
 
 from .runs import RunError
 

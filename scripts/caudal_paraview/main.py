@@ -7,8 +7,8 @@ import sys
 
 import numpy as np
 
-from caudal_plots import MissingData, fields, flow, style
-from caudal_plots.results import Run
+from caudal import Run, fields
+from caudal_plots import MissingData, flow, style
 from caudal_salmon import pictures
 
 VIEW = pathlib.Path(__file__).resolve().parent / "view.py"
@@ -20,7 +20,7 @@ def describe_immersed(run):
     body = flow.get_first_body(run, time)
     fluid = run.read_fluid(time)
     return {"FLUID": "fluid", "BODIES": list(run.read_bodies(time)), "COLOUR": "vorticity",
-            "LIMIT": float(flow.get_vorticity_limit(fluid)), "UNIT": "1/s",
+            "LIMIT": float(flow.get_vorticity_limit(fluid, run.read_bodies(time))), "UNIT": "1/s",
             "LENGTH": float(flow.get_length(body))}
 
 

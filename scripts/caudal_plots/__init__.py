@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of Caudal's results, from statistics.txt and the VTU files."""
 
+import caudal_setup  # noqa: F401: so that the package caudal is found
 
-class MissingData(Exception):
-    """A file or column that a figure needs is not there; the text says which."""
-
-
-class BrokenData(MissingData):
-    """A file is there, but it is cut off or damaged; the text says which."""
+from caudal import BrokenData, MissingData  # noqa: F401

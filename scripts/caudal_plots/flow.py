@@ -12,6 +12,8 @@ from . import MissingData, style
 START_UP_TIMES = (0.07, 0.14, 0.18, 0.22, 0.27, 0.32, 0.4, 0.5)
 N_CRUISE_TIMES = 8
 N_OUTLINES = 12
+NEAR = 0.1  # lengths from a body: within, vorticity is that of its boundary layer
+ARROWS = 26  # across 1.9 lengths
 
 
 def get_data(field, name):
@@ -43,33 +45,61 @@ def get_length(body):
     return np.ptp(get_reference(body), axis=0).max()
 
 
-def get_vorticity_limit(fluid):
-    """End of the colour scale: below it lies most of the flow's absolute circulation.
+def find_far_triangles(fluid, bodies):
+    """Which triangles of the fluid are farther than NEAR from all bodies."""
+    centres = fluid.points[fluid.triangles].mean(axis=1)
+    is_far = np.ones(len(centres), dtype=bool)
+    for body in bodies.values():
+        distance = NEAR * get_length(body)
+        x0, x1, y0, y1 = get_limits(body.points)
+        box = np.flatnonzero((centres[:, 0] > x0 - distance) & (centres[:, 0] < x1 + distance) &
+                             (centres[:, 1] > y0 - distance) & (centres[:, 1] < y1 + distance))
+        if len(box):
+            nearest = np.full(len(box), np.inf)
+            for point in body.points[::max(len(body.points) // 500, 1)]:
+                nearest = np.minimum(nearest, ((centres[box] - point) ** 2).sum(axis=1))
+            is_far[box[nearest < distance**2]] = False
+    return is_far
+
+
+def get_vorticity_limit(fluid, bodies):
+    """End of the colour scale: below it lies most of the absolute circulation off the bodies.
 
     Extremes in the boundary layer would leave the wake without colour.
     """
     strength = abs(get_data(fluid, "vorticity")[fluid.triangles].mean(axis=1))
+    circulation = strength * fluid.areas
+    is_far = find_far_triangles(fluid, bodies)
+    if (circulation * is_far).sum() > 0.01 * circulation.sum():  # there is a wake
+        circulation = circulation * is_far
     order = np.argsort(strength)
-    circulation = np.cumsum((strength * fluid.areas)[order])
+    circulation = np.cumsum(circulation[order])
     middle = np.searchsorted(circulation, 0.6 * circulation[-1])
     return style.get_round_limit(strength[order[min(middle, len(order) - 1)]])
+
+
+def get_wake_window(body, domain):
+    """A body with three lengths behind it, within the domain; of one size whatever the body's shape,
+    as the pictures of a film must be."""
+    length, (x0, _, y0, y1) = get_length(body), get_limits(body.points)
+    window = []
+    for start, size, low, high in ((x0 - 0.3 * length, 4.3 * length, *domain[:2]),
+                                   ((y0 + y1) / 2 - 0.6 * length, 1.2 * length, *domain[2:])):
+        start = max(low, min(start, high - size))
+        window += [start, min(start + size, high)]
+    return tuple(window)
 
 
 def draw_vorticity(run, time=None, limit=None):
     """Vorticity with the bodies: the whole domain, and the first body with its wake."""
     time = run.times[-1] if time is None else time
     fluid, bodies = run.read_fluid(time), run.read_bodies(time)
-    limit = limit or get_vorticity_limit(fluid)
+    limit = limit or get_vorticity_limit(fluid, bodies)
 
     domain = get_limits(fluid.points)
     windows = [domain]
     if bodies:
-        body = get_first_body(run, time)
-        length, (x0, x1, y0, y1) = get_length(body), get_limits(body.points)
-        middle = (y0 + y1) / 2
-        near = (x0 - 0.3 * length, x1 + 3 * length, middle - 0.6 * length, middle + 0.6 * length)
-        windows.append((max(near[0], domain[0]), min(near[1], domain[1]),
-                        max(near[2], domain[2]), min(near[3], domain[3])))
+        windows.append(get_wake_window(get_first_body(run, time), domain))
 
     heights = [(style.WIDTH - 1) * (w[3] - w[2]) / (w[1] - w[0]) for w in windows]
     figure, axes = style.make_figure(len(windows), 1, sum(heights) + 0.9 + 0.4 * len(windows),
@@ -77,9 +107,11 @@ def draw_vorticity(run, time=None, limit=None):
     for panel, window in zip(axes[:, 0], windows):
         picture = style.draw_field(panel, fluid, get_data(fluid, "vorticity"), window, limit,
                                    "RdBu_r")
-        style.draw_bodies(panel, bodies)
+        style.draw_bodies(panel, bodies, with_names=panel is axes[-1, 0])
         panel.set_ylabel("y [m]")
-    axes[0, 0].set_title(f"vorticity, t = {time:.3f} s")
+    axes[0, 0].set_title(f"Vorticity in the whole domain, t = {time:.3f} s")
+    if bodies:
+        axes[1, 0].set_title(f"{next(iter(bodies))} and its wake")
     axes[-1, 0].set_xlabel("x [m]")
     figure.colorbar(picture, ax=axes, orientation="horizontal", extend="both", aspect=50,
                     shrink=0.6, label="vorticity [1/s], red: anticlockwise")
@@ -88,7 +120,7 @@ def draw_vorticity(run, time=None, limit=None):
 
 @dataclasses.dataclass
 class Scene:
-    """What one panel of a sequence shows: the surroundings of the first body."""
+    """What one panel of a sequence shows: the surroundings of the bodies."""
 
     time: float
     fluid: object
@@ -104,16 +136,28 @@ class Scene:
         return np.hypot(self.velocity[..., 0], self.velocity[..., 1])
 
 
-def get_scene(run, time):
-    fluid, body = run.read_fluid(time), get_first_body(run, time)
-    length, (x0, x1, y0, y1) = get_length(body), get_limits(body.points)
+def get_window(run, times):
+    """Width and height of what shows all bodies at each of the times, with room round them."""
+    length, sizes = get_length(get_first_body(run, times[0])), []
+    for time in times:
+        points = np.concatenate([body.points for body in run.read_bodies(time).values()])
+        sizes.append(np.ptp(points, axis=0))
+    width, height = np.max(sizes, axis=0)
+    return max(width + 0.8 * length, 1.9 * length), max(height + 0.5 * length, 0.84 * length)
+
+
+def get_scene(run, time, size):
+    fluid, length = run.read_fluid(time), get_length(get_first_body(run, time))
+    x0, x1, y0, y1 = get_limits(np.concatenate([body.points for body in
+                                                run.read_bodies(time).values()]))
     x, y = (x0 + x1) / 2 + 0.15 * length, (y0 + y1) / 2
-    window = x - 0.95 * length, x + 0.95 * length, y - 0.42 * length, y + 0.42 * length
+    window = x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
 
     inside = np.unique(fluid.triangles[fluid.clip(window)])
     pressure = get_data(fluid, "pressure")
     get_data(fluid, "velocity")
-    x, y = np.linspace(*window[:2], 40)[1:-1], np.linspace(*window[2:], 19)[1:-1]
+    spacing = 1.9 * length / ARROWS
+    x, y = (np.arange(low + spacing / 2, high, spacing) for low, high in (window[:2], window[2:]))
     return Scene(time, fluid, window, pressure - np.median(pressure[inside]), inside, x, y,
                  fluid.sample("velocity", x, y))
 
@@ -121,26 +165,34 @@ def get_scene(run, time):
 def draw_sequence(run, times, title):
     """Pressure in colours, velocity as arrows and the bodies, at several times.
 
-    The windows follow the first body; the scales are those of all times together.
+    The windows follow the bodies; the scales are those of all times together. Arrows end at the
+    unit's length: longer ones would cross each other.
     """
-    scenes = [get_scene(run, time) for time in times]
+    size = get_window(run, times)
+    scenes = [get_scene(run, time, size) for time in times]
     length = get_length(get_first_body(run, times[0]))
     limit = style.get_round_limit(
         np.quantile(np.concatenate([abs(scene.pressure[scene.inside]) for scene in scenes]), 0.98))
     unit = style.get_round_limit(
-        np.nanquantile(np.concatenate([scene.speed.ravel() for scene in scenes]), 0.98))
+        np.nanquantile(np.concatenate([scene.speed.ravel() for scene in scenes]), 0.95))
 
-    rows = (len(scenes) + 1) // 2
-    figure, axes = style.make_figure(rows, 2, 1. + rows * 2.03)
+    columns = 2 if size[0] < 3 * size[1] and len(scenes) > 1 else 1
+    rows = -(-len(scenes) // columns)
+    figure, axes = style.make_figure(rows, columns, 1. + rows * (
+        0.4 + (style.WIDTH - 0.7 * columns) / columns * size[1] / size[0]))
     for panel in axes.flat[len(scenes):]:
         panel.set_axis_off()
+    arrows = []
     for panel, scene in zip(axes.flat, scenes):
         picture = style.draw_field(panel, scene.fluid, scene.pressure, scene.window, limit,
                                    style.PRESSURE)
-        velocity = np.where(scene.speed[..., None] > 0.02 * unit, scene.velocity, np.nan)
-        arrows = panel.quiver(scene.x, scene.y, velocity[..., 0], velocity[..., 1], angles="xy",
-                              scale=unit / (0.08 * length), scale_units="xy", width=0.0018,
-                              color="0.15")
+        speed = scene.speed[..., None]
+        velocity = np.where(speed > 0.05 * unit, scene.velocity * np.minimum(1, unit / np.maximum(
+            speed, 1e-300)), np.nan)
+        arrows.append(panel.quiver(scene.x, scene.y, velocity[..., 0], velocity[..., 1], angles="xy",
+                              scale=unit / (0.11 * length), scale_units="xy", units="inches",
+                              width=0.013, headwidth=3.5, headlength=4, headaxislength=3.5,
+                              minlength=0.2, color="0.15"))
         style.draw_bodies(panel, run.read_bodies(scene.time))
         panel.set_title(f"t = {scene.time:.3f} s")
     for panel in axes[:, 0]:
@@ -148,7 +200,7 @@ def draw_sequence(run, times, title):
     for panel in axes[-1, :]:
         panel.set_xlabel("x [m]")
     figure.suptitle(title)
-    axes[0, 1].quiverkey(arrows, 0.86, 1.07, unit, f"{unit:g} m/s", labelpos="E")
+    axes[0, -1].quiverkey(arrows[columns - 1], 0.9, 1.06, unit, f"{unit:g} m/s and more", labelpos="W")
     figure.colorbar(picture, ax=axes, orientation="horizontal", extend="both", aspect=50,
                     shrink=0.6, label="pressure − its median in the picture [Pa]")
     return figure
@@ -156,13 +208,14 @@ def draw_sequence(run, times, title):
 
 def draw_start_up(run):
     times = run.get_nearest_times(START_UP_TIMES) or run.times[-1:]  # of a shorter run the last one
-    return draw_sequence(run, times, "start-up")
+    return draw_sequence(run, times, "Start from rest: pressure (colours) and velocity (arrows)")
 
 
 def draw_cruise(run):
     start, end = run.get_last_beat()
     times = run.get_nearest_times(np.linspace(start, end, N_CRUISE_TIMES, endpoint=False))
-    return draw_sequence(run, times, f"one tail beat, T = {end - start:.3f} s")
+    return draw_sequence(run, times, f"One tail beat of {run.bodies[0]}, T = {end - start:.3f} s: "
+                         "pressure (colours) and velocity (arrows)")
 
 
 def get_frame(body):

@@ -5,7 +5,7 @@ import numpy as np
 
 from . import MissingData, style
 
-START_UP = (0., 0.5)  # [s], as in the paper's figure 7b
+START_UP = (0., 0.5)  # [s]
 
 
 def get_spans(run):
@@ -49,7 +49,7 @@ def draw_speed(run):
         axes[0, column].axhline(0, color="0.5", linewidth=0.6)
     axes[0, 0].set_ylabel("speed of A [m/s]")
     axes[1, 0].set_ylabel("displacement of A [m]")
-    figure.suptitle("point A, positive towards −x")
+    figure.suptitle("Speed and way of the first monitored point, A, positive towards −x")
     if len(curves) > 1:
         axes[0, 0].legend()
     return figure
@@ -80,21 +80,22 @@ def draw_energy(run):
         return sum(run.get(f"{body}: {name}") for body in run.bodies)
 
     kinetic = run.get("kinetic energy")
-    curves = (("muscle work", get_sum("muscle work"), dict(color="black", linewidth=2)),
-              ("kinetic", kinetic - kinetic[0], {}),
-              ("elastic", get_sum("elastic energy"), {}),
+    curves = (("muscle work", get_sum("muscle work"), dict(linewidth=2)),
+              ("kinetic energy", kinetic - kinetic[0], {}),
+              ("elastic energy", get_sum("elastic energy"), {}),
               ("dissipation", run.get("dissipation"), {}),
-              ("of it numerical", run.get("numerical dissipation"), dict(linestyle=":")),
+              ("numerical dissipation", run.get("numerical dissipation"), dict(linestyle="--")),
               ("feedback", -get_sum("feedback work"), {}),
-              ("external", run.get("external work"), {}),
-              ("residual", run.get("energy residual"), dict(color="0.4", linestyle="--")))
+              ("external work", run.get("external work"), {}),
+              ("residual", run.get("energy residual"), dict(linestyle="--")))
     figure, axes = style.make_figure(2, 1, 5.4, sharex=True, gridspec_kw={"height_ratios": (3, 1)})
     for label, values, options in curves:
-        axes[0, 0].plot(run.time, values, label=label, **options)
+        axes[0, 0].plot(run.time, values, color=style.COLOURS[label], label=label if label !=
+                        "numerical dissipation" else "numerical part of the dissipation", **options)
     axes[0, 0].axhline(0, color="0.5", linewidth=0.6)
     axes[0, 0].set_ylabel(f"energy since the start [{run.get_unit('kinetic energy')}]")
-    axes[0, 0].set_title("muscle work + external = kinetic + elastic + dissipation + feedback "
-                         "+ residual")
+    axes[0, 0].set_title("Where the muscles' work goes: muscle work + external work = kinetic + "
+                         "elastic energy + dissipation + feedback + residual")
     axes[0, 0].legend(loc="upper left", ncol=2)
 
     axes[1, 0].semilogy(run.time, np.maximum(abs(run.get("power identity")), 1e-18), linewidth=0.8)

@@ -5,17 +5,18 @@ import argparse
 import pathlib
 import sys
 
-from . import MissingData, flow, history, passage, style
-from .results import Run
+from caudal import Run
+
+from . import MissingData, film, flow, history, passage, style
 
 # Of the immersed model: file name in DIR/plots, what it shows, the function that draws it.
 FIGURES = (
-    ("speed", "speed and displacement of point A (figure 7)", history.draw_speed),
+    ("speed", "speed and displacement of point A", history.draw_speed),
     ("volume", "area change and range of J", history.draw_volume),
     ("energy", "energy ledger", history.draw_energy),
-    ("vorticity", "vorticity and body at the last time (figure 6)", flow.draw_vorticity),
-    ("start_up", "pressure, velocity and body while starting (figure 8)", flow.draw_start_up),
-    ("cruise", "pressure, velocity and body in the last tail beat (figure 9)", flow.draw_cruise),
+    ("vorticity", "vorticity and bodies at the last time", flow.draw_vorticity),
+    ("start_up", "pressure, velocity and bodies while starting", flow.draw_start_up),
+    ("cruise", "pressure, velocity and bodies in the last tail beat", flow.draw_cruise),
     ("body_wave", "outlines through the last tail beat", flow.draw_body_wave),
 )
 
@@ -25,13 +26,6 @@ def save(figure, path):
     figure.savefig(path)
     style.close(figure)
     print(path)
-
-
-def draw_movie(run, folder):
-    """One picture of the vorticity for each output, all with one colour scale."""
-    limit = flow.get_vorticity_limit(run.read_fluid(run.times[-1]))
-    for number, time in enumerate(run.times):
-        save(flow.draw_vorticity(run, time, limit), folder / f"{number:05d}.png")
 
 
 def main(arguments):
@@ -46,7 +40,7 @@ def main(arguments):
                         choices=[name for name, _, _ in FIGURES + passage.FIGURES],
                         help="draw this figure only")
     parser.add_argument("--movie", action="store_true",
-                        help="draw the vorticity of every output to DIR/plots/movie, too")
+                        help="make a film of the vorticity, DIR/plots/movie.mp4 and movie.gif, too")
     options = parser.parse_args(arguments)
 
     if not options.folder.is_dir():
@@ -60,13 +54,15 @@ def main(arguments):
              for name, _, draw in (passage.FIGURES if is_passage else FIGURES)
              if not options.only or name in options.only]
     if options.movie:
-        tasks.append(("movie", lambda: draw_movie(run, run.folder / "plots" / "movie")))
+        tasks.append(("movie", lambda: film.make(run, run.folder / "plots")))
 
-    n_drawn = 0
+    missing = []
     for name, draw in tasks:
         try:
             draw()
-            n_drawn += 1
         except MissingData as reason:
             print(f"{name}: not drawn. {reason}", file=sys.stderr)
-    return 0 if n_drawn > 0 else 1
+            missing.append(name)
+    # What was asked for by name must be there; of all others, one.
+    was_wanted = any(name == "movie" or options.only for name in missing)
+    return 1 if was_wanted or len(missing) == len(tasks) else 0

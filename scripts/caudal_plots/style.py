@@ -15,6 +15,10 @@ WIDTH = 9.  # of a figure [inch]
 # Colour-blind safe (Okabe and Ito, 2008).
 LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 BODY = "#3A3F44"
+# One colour for one quantity, in pictures and reports.
+COLOURS = {"muscle work": "#000000", "kinetic energy": LINES[0], "elastic energy": LINES[1],
+           "dissipation": LINES[2], "numerical dissipation": LINES[3], "feedback": LINES[4],
+           "external work": LINES[5], "residual": "#8a949b"}
 
 
 def apply():
@@ -71,8 +75,14 @@ def draw_field(axes, field, values, window, limit, colours):
     return picture
 
 
-def draw_bodies(axes, bodies):
-    """The bodies, filled."""
-    for body in bodies.values():
+def draw_bodies(axes, bodies, with_names=True):
+    """The bodies, filled; several ones with their names."""
+    for name, body in bodies.items():
         axes.add_collection(PolyCollection(body.outline, facecolor=BODY, edgecolor="black",
                                            linewidth=0.5, zorder=3))
+        if with_names and len(bodies) > 1:
+            x, y = body.points.mean(axis=0)[0], body.points[:, 1].max()
+            axes.annotate(name, (x, y), xytext=(0, 3), textcoords="offset points", fontsize=7,
+                          ha="center", va="bottom", zorder=4, annotation_clip=True,
+                          bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "alpha": 0.6,
+                                "linewidth": 0})

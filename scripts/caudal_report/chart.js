@@ -4,7 +4,8 @@
 "use strict";
 (() => {
   const NS = "http://www.w3.org/2000/svg";
-  const W = 560, H = 270, M = {l: 64, r: 12, t: 8, b: 40};
+  // On a narrow screen charts are narrower, not smaller: their letters must be read.
+  const W = document.documentElement.clientWidth < 480 ? 360 : 560, H = 270, M = {l: 64, r: 12, t: 8, b: 40};
   const groups = {};
 
   const svg = (name, attributes, parent, text) => {
@@ -83,7 +84,10 @@
       if (data.zero && !data.log) { low = Math.min(low, 0); high = Math.max(high, 0); }
       if (!(low <= high)) return [0, 1];
       const margin = 0.06 * (high - low) || Math.abs(high) * 0.05 || 1e-3;
-      return [low - margin, high + margin];
+      if (!data.equal) return [low - margin, high + margin];
+      // A unit of y is as long as one of x; where y needs more room, draw() widens x.
+      const half = Math.max((span[1] - span[0]) / (W - M.l - M.r) * (H - M.t - M.b), high - low + 2 * margin) / 2;
+      return [(low + high) / 2 - half, (low + high) / 2 + half];
     }
 
     function drawAxes(range) {
@@ -120,6 +124,9 @@
     function draw() {
       root.replaceChildren();
       const range = getRange();
+      const middle = (span[0] + span[1]) / 2;
+      const reach = (range[1] - range[0]) / (H - M.t - M.b) * (W - M.l - M.r) / 2;
+      if (data.equal && reach > (span[1] - span[0]) / 2) span = [middle - reach, middle + reach];
       X = x => M.l + (x - span[0]) / (span[1] - span[0]) * (W - M.l - M.r);
       Y = y => H - M.b - (y - range[0]) / (range[1] - range[0]) * (H - M.t - M.b);
       invert = px => span[0] + (px - M.l) / (W - M.l - M.r) * (span[1] - span[0]);

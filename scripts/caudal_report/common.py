@@ -2,6 +2,7 @@
 """Sections that the reports of both models have."""
 
 import io
+import shlex
 
 from caudal_plots import BrokenData, MissingData, style
 
@@ -41,6 +42,21 @@ def make_warnings(log):
     return page.join(page.make_element(
         "p", line + (page.make_element("b", f" ({count} times)") if count > 1 else ""),
         'class="warning"') for line, count in log.warnings)
+
+
+def make_next_steps(folder, log, example, has_plots=True):
+    """Commands that go on from these results; @p example is an axis of a sweep."""
+    name, case = shlex.quote(str(folder)), shlex.quote(f"{folder}/parameters.prm")
+    steps = [(f"scripts/swim --resume {name}", "go on with the run")] if log.end != "finished" else []
+    if has_plots:
+        steps.append((f"scripts/plot {name} --movie", "pictures for a paper, and a film"))
+    steps += [(f"scripts/paraview {name}", "a view of the fields in ParaView"),
+              (f"scripts/sweep {case} \"{example}\" --dry-run", "what a study would cost"),
+              (f"scripts/sweep {case} --mesh", "error bars from three grids"),
+              (f"python3 -c 'import caudal; print(caudal.Run(\"{folder}\").statistics)'",
+               "the tables in Python, as pandas.DataFrame")]
+    return page.make_table(("command", "makes"), [(page.make_element("code", command), words)
+                                                  for command, words in steps], left=(0, 1))
 
 
 def make_program(log):

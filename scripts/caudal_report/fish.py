@@ -3,9 +3,9 @@
 
 import numpy as np
 
+from caudal import Run, read_parameters
 from caudal_plots import style
 from caudal_plots.main import FIGURES
-from caudal_plots.results import Run
 
 from . import common, files, movie, page, school, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
@@ -13,7 +13,6 @@ from .chart import DASHED, make_chart, make_curve, make_curves
 SPAN = "Two dimensions: masses, forces, powers and energies are those of one metre of span."
 RESIDUAL = ("The residual holds what the other parts do not: changes of the grid, and what the time "
             "scheme takes from the body, which falls with the time step.")
-GREY = "#8a949b"
 TIME = "time [s]"
 AS_CHARTS = ("speed", "volume", "energy")  # of what scripts/plot draws
 
@@ -27,20 +26,27 @@ def get_unit(run, name):
     return run.get_unit(f"{run.bodies[0]}: {name}")
 
 
+def make_body_curve(run, body, name, values, **options):
+    """A curve in the colour of its body, which is the same in all charts."""
+    colour = style.LINES[run.bodies.index(body) % len(style.LINES)]
+    return make_curve(name, run.time, values, colour, **options)
+
+
 def make_motion_charts(run):
     """Speed, way, tail and heading of all bodies."""
     t = run.time
     speed, way, tail = [], [], []
     for body in run.bodies:
         x = run.get(f"{body}: x of centre of mass")
-        speed.append((f"{body}, centre of mass", -run.get(f"{body}: u of centre of mass")))
+        speed.append(make_body_curve(run, body, f"{body}, centre of mass",
+                                     -run.get(f"{body}: u of centre of mass")))
         if f"{body}: u of point 1 [m/s]" in run.columns:
-            speed.append((f"{body}, point 1", -run.get(f"{body}: u of point 1")))
+            speed.append(make_body_curve(run, body, f"{body}, point 1",
+                                         -run.get(f"{body}: u of point 1"), dash=DASHED))
         way.append((body, x[0] - x))
         tail.append((body, run.get(f"{body}: lateral position")))
     options = {"group": "time", "zero": True}
-    return [make_chart("Speed, positive towards −x", TIME, "speed [m/s]", make_curves(t, speed),
-                       **options),
+    return [make_chart("Speed, positive towards −x", TIME, "speed [m/s]", speed, **options),
             make_chart("Way of the centre of mass towards −x", TIME, "way [m]", make_curves(t, way),
                        **options),
             make_chart("Tail: lateral position of the muscle's monitored point", TIME,
@@ -52,15 +58,17 @@ def make_motion_charts(run):
 
 def make_force_charts(run):
     """Forces on the bodies, by d(mv)/dt if the mass is known, and body forces."""
-    t, axial, lateral = run.time, [], []
+    axial, lateral = [], []
     for body in run.bodies:
-        axial.append((f"{body}, axial (x)", run.get(f"{body}: force x of the fluid")))
-        lateral.append((f"{body}, lateral (y)", run.get(f"{body}: force y of the fluid")))
+        axial.append(make_body_curve(run, body, f"{body}, axial (x)",
+                                     run.get(f"{body}: force x of the fluid")))
+        lateral.append(make_body_curve(run, body, f"{body}, lateral (y)",
+                                       run.get(f"{body}: force y of the fluid"), dash=DASHED))
     note = ("By the flow round the body: the rate of change of the momentum of the fluid in its "
             "place, less the resultant of the body's forces.")
     unit = get_unit(run, "force x of the fluid")
     return [make_chart("Force of the fluid on the body", TIME, f"force [{unit}]",
-                       make_curves(t, axial + lateral), group="time", zero=True, note=note)]
+                       axial + lateral, group="time", zero=True, note=note)]
 
 
 def make_momentum_chart(run, reports):
@@ -124,13 +132,15 @@ def make_ledger_section(run, report, reports):
     t, ledger, unit = run.time, get_ledger(run), run.get_unit("kinetic energy")
     listed = list(ledger)
     listed.insert(4, ("– of it by stabilisations and time scheme", run.get("numerical dissipation")))
-    curves = make_curves(t, listed)
-    curves[0].update(color="#000000", width=2.2)
-    curves[-1].update(color=GREY, dash=DASHED)
+    curves = [make_curve(name, t, values, colour) for (name, values), colour in
+              zip(listed, style.COLOURS.values())]
+    curves[0].update(width=2.2)
+    for k in (4, 7):  # a part of another curve, and what is no part
+        curves[k].update(dash=DASHED)
     charts = [make_chart("Energy since the start", TIME, f"energy [{unit}]", curves, group="time",
                          zero=True),
               make_chart("Residual of the ledger", TIME, f"residual [{unit}]",
-                         [make_curve("residual", t, ledger[-1][1], GREY)], group="time", zero=True)]
+                         [make_curve("residual", t, ledger[-1][1], style.COLOURS["residual"])], group="time", zero=True)]
     work = ledger[0][1][-1]
     rows = [(name, page.format_number(values[-1]),
              page.format_number(100 * values[-1] / work if work else None, 3))
@@ -167,14 +177,14 @@ def make_swim_section(reports):
                                                         "the last beat."))
                     + tables.make_beat_table(report)
                     + page.make_details("All quantities and their definitions",
-                                        tables.make_swim_table(report), is_open=True))
+                                        tables.make_swim_table(report), is_open=False))
     return content
 
 
 def describe(folder, n_frames, with_pictures, lone=None):
     """The page of a run; MissingData if what it can't do without is not there."""
-    entries, log, run = files.read_parameters(folder), files.Log(folder), Run(folder)
-    reports = tables.read_swim(folder)
+    entries, log, run = read_parameters(folder), files.Log(folder), Run(folder)
+    reports = list(run.swims.values())
     end = run.time[-1]
     names = ", ".join(run.bodies)
     plane = dict((entry, value) for section, entry, value, _ in entries if not section
@@ -198,9 +208,11 @@ def describe(folder, n_frames, with_pictures, lone=None):
     if with_pictures:
         report.add("Pictures", page.join(
             common.draw_picture(report, lambda draw=draw: draw(run),
-                                (caption[0].upper() + caption[1:])
-                                .replace("(figure ", "(the paper's figure "))
+                                caption[0].upper() + caption[1:])
             for name, caption, draw in FIGURES if name not in AS_CHARTS))
+    viscosity = float(run.parameters["Fluid/Kinematic viscosity"])
+    report.add("Next", common.make_next_steps(
+        folder, log, f"Fluid/Kinematic viscosity={viscosity:g},{2 * viscosity:g}"))
     report.add("Warnings", common.make_warnings(log))
     report.add("Time spent", common.make_timings(log))
     report.add("Program, grid and body", common.make_program(log))

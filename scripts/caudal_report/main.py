@@ -6,9 +6,10 @@ import os
 import pathlib
 import sys
 
-from caudal_plots import MissingData, style
+from caudal import MissingData, read_model
+from caudal_plots import style
 
-from . import files, fish, page, passage, salmon
+from . import fish, page, passage, salmon
 
 
 def main(arguments):
@@ -36,7 +37,7 @@ def main(arguments):
     output = options.output or options.folder / "report.html"
     try:
         what = (options.folder, options.frames, not options.no_pictures)
-        model = files.read_model(options.folder)
+        model = read_model(options.folder)
         if options.lone and model != "immersed":
             raise MissingData("--lone: only the immersed model has schools.")
         if model == "potential":

@@ -125,11 +125,15 @@ def draw_frame(run, time, camera, limit):
     image = Image.fromarray(np.ascontiguousarray(colours[..., :3]))
     draw = ImageDraw.Draw(image)
     scale = camera.size[0] / camera.extent[0]
-    for body in bodies.values():
+    for name, body in bodies.items():
         for polygon in body.outline:
             pixels = [((x - window[0]) * scale, (window[3] - y) * scale) for x, y in polygon]
             if len(pixels) > 2:
                 draw.polygon(pixels, fill=style.BODY, outline="black")
+        if len(bodies) > 1:
+            x, y = body.points[:, 0].mean(), body.points[:, 1].max()
+            draw.text(((x - window[0]) * scale, (window[3] - y) * scale - 4), name, fill="black",
+                      font=get_font(13), anchor="mb")
     height = camera.size[1]
     draw.line([(16, height - 16), (16 + camera.length * scale, height - 16)], fill="black", width=2)
     draw.text((16, height - 36), f"{camera.length:.3g} m", fill="black", font=get_font(14))
@@ -150,7 +154,7 @@ def make_wake_movie(run, count):
     times = choose(run.times, count)
     if not run.read_bodies(times[0]):
         raise MissingData("solution.pvd lists no body beside the fluid.")
-    limit = flow.get_vorticity_limit(run.read_fluid(times[-1]))
+    limit = flow.get_vorticity_limit(run.read_fluid(times[-1]), run.read_bodies(times[-1]))
     camera = Camera(run, times)
     frames = [draw_frame(run, time, camera, limit) for time in times]
     title = (f"The wake: {len(times)} of {len(run.times)} outputs, at rest in the domain"

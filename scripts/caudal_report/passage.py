@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from caudal import read_parameters
 from caudal_plots import style
 from caudal_plots.passage import BANDS, MEDIAN, Answers, draw_matrix, name_discharge
 
@@ -131,7 +132,7 @@ def make_strikes(facts):
 def describe(folder):
     """The page of a run; MissingData if what it can't do without is not there."""
     answers, log = Answers(folder), files.Log(folder)
-    entries, facts = files.read_parameters(folder), answers.facts
+    entries, facts = read_parameters(folder), answers.facts
     colour, discharge = answers.hardest["colour"], answers.hardest["discharge"]
     where = f" at {name_discharge(discharge)}" if discharge > 0 else ""
     report = page.Page(f"Can this fish pass? {facts['species']}, {facts['mean length']:g} m",

@@ -1,47 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The report of a run of the swimmer in an ideal fluid."""
 
-import csv
 import re
 
 import matplotlib
 import numpy as np
 from PIL import Image, ImageDraw
 
-from caudal_plots import MissingData, fields, style
-from caudal_salmon import paper, pictures, runs
+from caudal import MissingData, Run, fields, read_parameters
+from caudal.tables import get_name
+from caudal_plots import style
+from caudal_salmon import paper, pictures
 
 from . import common, files, movie, page
 from .chart import make_chart, make_curve
 
 TIME = "time [s]"
+N_STROKES = 3  # of which torques are shown
 ZERO = 1e-7  # of a turn or radius, what is round-off
 
 
-def read_summary(folder):
+def read_summary(run):
     """Names with units, and for each frequency their values, from summary.csv."""
-    path = folder / "summary.csv"
-    if not path.is_file():
-        raise MissingData(f"There is no {path}: it is written at the end of the run.")
-    rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
-    try:
-        values = [[float(cell) for cell in row] for row in rows[1:]]
-    except ValueError as error:
-        raise MissingData(f"{path} has a cell that is no number: {error}.") from error
-    if not values or any(len(row) != len(rows[0]) for row in values):
-        raise MissingData(f"{path} has no whole row for any frequency. Was it cut off?")
-    return rows[0], values
+    return list(run.summary), run.summary.values.tolist()
 
 
-def read_statistics(folder, frequencies):
+def read_statistics(run, frequencies):
     """For each frequency its columns over time, by name without unit."""
-    try:
-        data = [runs.read_statistics(folder, f) for f in frequencies]
-    except (OSError, ValueError) as error:
-        raise MissingData(f"The statistics of {folder} can't be read: {error}.") from error
-    if any("time" not in columns or len(np.atleast_1d(columns["time"])) < 2 for columns in data):
-        raise MissingData(f"The statistics of {folder} have fewer than two rows.")
-    return data
+    return [run.read_statistics(f).rename(columns=get_name) for f in frequencies]
 
 
 def make_engineers_table(names, values):
@@ -50,7 +36,7 @@ def make_engineers_table(names, values):
     for k, name in enumerate(names[1:], 1):
         cells = [0. if name.startswith(("turn", "radius")) and abs(row[k]) < ZERO else row[k]
                  for row in values]
-        rows.append([name] + [page.format_number(cell) for cell in cells])
+        rows.append([name_joint(name)] + [page.format_number(cell) for cell in cells])
     header = ["quantity"] + [f"{row[0]:g} " + page.make_element("small", "[Hz]") for row in values]
     return page.make_table(header, rows, "The whole fish, in three dimensions: nothing is per metre "
                                          "of span. Powers: mean over whole strokes; gross: of the "
@@ -86,20 +72,28 @@ def make_time_charts(frequencies, data):
                                 "what it took."))
     paths = [make_curve(f"{f:g} Hz", 100 * c["x of centre of mass"], 100 * c["y of centre of mass"],
                         style.LINES[i % 7]) for i, (f, c) in enumerate(zip(frequencies, data))]
-    charts.append(make_chart("Path of the centre of mass from above", "x [cm]", "y [cm]", paths))
+    charts.append(make_chart("Path of the centre of mass from above", "x [cm]", "y [cm]", paths,
+                             equal=True))
     return charts
 
 
+def name_joint(text):
+    """Joints are called so everywhere, also where the program's tables say modes of deformation."""
+    return re.sub(r"\bof mode (\d+)", r"of joint \1", text)
+
+
 def make_torque_charts(frequencies, data):
-    """The torques of the joints: a chart for each frequency."""
+    """The torques of the joints over the first strokes, which repeat themselves: a chart for each
+    frequency."""
     charts = []
     for f, columns in zip(frequencies, data):
         names = [name for name in columns if re.match(r"torque of mode \d+$", name)]
         if names:
-            curves = [make_curve(name.replace("torque of mode", "joint"), columns["time"],
-                                 columns[name], style.LINES[i % 7]) for i, name in enumerate(names)]
-            charts.append(make_chart(f"Torques of the joints at {f:g} Hz", TIME, "torque [N m]",
-                                     curves, group="time", zero=True))
+            shown = columns[columns["time"] <= N_STROKES / f]
+            curves = [make_curve(name.replace("torque of mode", "joint"), shown["time"], shown[name],
+                                 style.LINES[i % 7]) for i, name in enumerate(names)]
+            charts.append(make_chart(f"Torques of the joints at {f:g} Hz: the first strokes", TIME,
+                                     "torque [N m]", curves, zero=True))
     return charts
 
 
@@ -131,7 +125,7 @@ def make_relation_charts(names, values):
 
 def draw_surface(path, turn, window, size, limit):
     """The swimming surface from above, its pressure in colours."""
-    corners, pressure = pictures.read_surface(path)
+    corners, pressure = pictures.read_surface(path, 2)
     image = Image.new("RGB", size, "white")
     draw = ImageDraw.Draw(image)
     scale = size[0] / (window[1] - window[0])
@@ -172,7 +166,7 @@ def make_surface_movie(folder, frequency, count):
 
 
 def draw_swimming(folder, frequencies):
-    """The picture of the paper's figures 8, 9 and 13 for this run."""
+    """The fish through a stroke, and on its way, at each frequency."""
     for f in frequencies:
         for _, file in pictures.read_series(folder, f):
             fields.check_whole(file)
@@ -181,13 +175,13 @@ def draw_swimming(folder, frequencies):
 
 def describe(folder, n_frames, with_pictures):
     """The page of a run; MissingData if what it can't do without is not there."""
-    entries, log = files.read_parameters(folder), files.Log(folder)
-    names, values = read_summary(folder)
+    entries, log, run = read_parameters(folder), files.Log(folder), Run(folder)
+    names, values = read_summary(run)
     frequencies = [row[0] for row in values]
-    data = read_statistics(folder, frequencies)
+    data = read_statistics(run, frequencies)
     middle = frequencies[len(frequencies) // 2]
     report = page.Page(f"Caudal: {folder.resolve().name}, a swimmer in an ideal fluid",
-                       f"t = 0 to {data[0]['time'][-1]:g} s at "
+                       f"t = 0 to {data[0]['time'].iloc[-1]:g} s at "
                        + ", ".join(f"{f:g}" for f in frequencies) + " strokes a second, "
                        f"{common.make_state(log)}.")
     report.add("Results", make_tiles(names, values)
@@ -209,12 +203,14 @@ def describe(folder, n_frames, with_pictures):
         report.add("Torques", report.place_charts(torques))
     relations = make_relation_charts(names, values)
     if relations:
-        report.add("Speed and frequency: the relations of table 2", page.make_note(
+        report.add("Speed and frequency: empirical relations", page.make_note(
             "Empirical relations that the paper collects, with the units of their sources as far as "
             "they say, beside this run: no agreement is claimed.") + report.place_charts(relations))
     if with_pictures and n_frames > 0:
         report.add("Pictures", common.draw_picture(
             report, lambda: draw_swimming(folder, frequencies), "One stroke, and the way of the whole run"))
+    report.add("Next", common.make_next_steps(folder, log, "Body fish/Gait/Frequency=0.5:2:7",
+                                                  has_plots=False))
     report.add("Warnings", common.make_warnings(log))
     costs = [line for line in log.lines if line.startswith(("Table of phases", "CPU of rank 0"))]
     report.add("Time spent", page.join(page.make_note(line) for line in costs)

@@ -4,9 +4,9 @@
 import math
 import re
 
-from caudal_plots import MissingData
+from caudal import MissingData, Run, read_parameters
 
-from . import files, page, tables
+from . import page, tables
 
 # What may differ between them: company, place and tank, how long they swim, and what is only
 # observed or kept. Schools need more cells, and their fish may beat in phases of their own.
@@ -81,9 +81,9 @@ def find_differences(fish, lone):
 
 def read_lone(folder):
     """Parameters and swim report of the run of a lone fish."""
-    values = name_values(files.read_parameters(folder))
+    values = name_values(read_parameters(folder))
     bodies = [name for name in values.get("Bodies", "").split(",") if name.strip()]
-    reports = [report for report in tables.read_swim(folder) if report["beats"]]
+    reports = [report for report in Run(folder).swims.values() if report["beats"]]
     if len(bodies) != 1 or len(reports) != 1:
         raise MissingData(f"--lone {folder}: bodies there: {len(bodies)}, with whole tail beats: "
                           f"{len(reports)}. Give the folder of a run of one fish.")

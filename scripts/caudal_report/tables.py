@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """swim.json and statistics as tables for the report."""
 
-import json
-
-from caudal_plots import MissingData
-
 from . import page
 
 # Of the quantities of swim.json, in this order.
@@ -16,17 +12,6 @@ BEAT_COLUMNS = ("start", "period", "frequency", "amplitude", "speed", "speed in 
                 "change", "steady")
 LEDGER = ("muscle work", "kinetic energy", "elastic energy", "dissipation", "feedback",
           "external work", "residual", "numerical dissipation")
-
-
-def read_swim(folder):
-    """The swim reports of all bodies, from swim.json or swim_<body>.json."""
-    reports = []
-    for path in sorted(folder.glob("swim*.json")):
-        try:
-            reports.append(json.loads(path.read_text(encoding="utf-8")))
-        except ValueError as error:
-            raise MissingData(f"{path} is no valid JSON. Was it cut off?") from error
-    return reports
 
 
 def get_unit(report, name):

@@ -13,6 +13,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from caudal_plots import style
 
 N_TIMES = 6
+PARTS = 4  # of a cell's sides, for smooth colours
 LATTICE = np.array([13., 6.5])  # between the pictures of one stroke [cm]
 
 
@@ -25,8 +26,20 @@ def read_series(folder, frequency):
             if entry.get("name") in names]
 
 
-def read_surface(path):
-    """Corners of the quadrilaterals (n, 4, 3) and the mean pressure in each."""
+def divide(values, parts):
+    """Of values at the corners of quadrilaterals (n, 4, ...) those at the corners of their parts by
+    parts equal pieces, bilinearly."""
+    t = np.linspace(0, 1, parts + 1)
+    x, y = np.meshgrid(t, t)
+    weights = np.stack([(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y])
+    nodes = np.einsum("cij,nc...->nij...", weights, values)
+    pieces = np.stack([nodes[:, :-1, :-1], nodes[:, :-1, 1:], nodes[:, 1:, 1:], nodes[:, 1:, :-1]], axis=3)
+    return pieces.reshape(-1, 4, *values.shape[2:])
+
+
+def read_surface(path, parts=1):
+    """Corners of the quadrilaterals (n, 4, 3) and the mean pressure in each; divided into parts by
+    parts pieces, so that colours are smooth."""
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
     surface = vtkDataSetSurfaceFilter()
@@ -36,7 +49,7 @@ def read_surface(path):
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     cells = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4)
     pressure = vtk_to_numpy(mesh.GetPointData().GetArray("pressure"))
-    return points[cells], pressure[cells].mean(axis=1)
+    return divide(points[cells], parts), divide(pressure[cells], parts).mean(axis=1)
 
 
 def get_turn(series):
@@ -49,11 +62,14 @@ def get_turn(series):
 
 def draw_surface(axes, path, limit, turn, shift=(0., 0.)):
     """From above, in cm; returns the points."""
-    corners, pressure = read_surface(path)
+    corners, pressure = read_surface(path, PARTS)
     order = np.argsort(corners[:, :, 2].mean(axis=1))  # the top covers the rest
     points = 100 * corners[order][:, :, :2] @ turn.T + shift
+    # Their edges stick out from below: an outline.
+    axes.add_collection(PolyCollection(points, facecolor="0.55", edgecolor="0.55", linewidth=0.9,
+                                       rasterized=True))
     axes.add_collection(PolyCollection(points, array=pressure[order], cmap=style.PRESSURE,
-                                       clim=(-limit, limit), edgecolor="0.7", linewidth=0.15,
+                                       clim=(-limit, limit), edgecolor="face", linewidth=0.2,
                                        rasterized=True))
     return points.reshape(-1, 2)
 
@@ -94,7 +110,7 @@ def draw_swimming(folder, swims, title):
         seen[1].append(draw_way(panels[1], series, limit, turn))
         panels[0].set_title(f"{case.replace('_', ' ')}, {f} Hz: second stroke")
         panels[1].set_title("start, middle and end of the swim, to the left")
-        figure.colorbar(panels[1].collections[0], ax=panels[1], label="pressure [Pa]", shrink=0.6,
+        figure.colorbar(panels[1].collections[-1], ax=panels[1], label="pressure [Pa]", shrink=0.6,
                         aspect=12, ticks=(-limit, 0, limit), extend="both")
     for column, groups in seen.items():  # in the same scale and window
         points = np.concatenate(groups)

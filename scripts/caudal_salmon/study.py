@@ -3,9 +3,15 @@
 
 import numpy as np
 
+from caudal import Run
+from caudal.tables import get_name
 from caudal_plots import style
+from caudal_plots.program import ROOT
+from caudal_sweep import SweepError
+from caudal_sweep.case import Case
+from caudal_sweep.jobs import Job, Records, Runner
 
-from . import paper, pictures, runs
+from . import paper, pictures
 
 FREQUENCIES = (0.64, 0.95, 1.43)
 CASES = ("fish_one", "fish_two", "fish_one_literal", "fish_two_literal", "salmon")
@@ -14,11 +20,20 @@ REFERENCE = 0.95  # the frequency at which shapes are compared [Hz]
 
 
 def run_all(folder):
-    for case in CASES:
-        cost = runs.run(runs.ROOT / "prm" / "salmon" / f"{case}.prm", folder / case,
-                        ["Body fish/Gait/Frequency=" + ", ".join(map(str, FREQUENCIES)),
-                         "Output/Interval of fields=0.1"])
-        print(f"{case}: " + ("known already" if cost is None else f"{cost:.1f} s of CPU"), flush=True)
+    """Makes the runs that are not there yet."""
+    settings = ["Body fish/Gait/Frequency=" + ", ".join(map(str, FREQUENCIES)),
+                "Output/Interval of fields=0.1"]
+    jobs = [Job(name, Case(ROOT / "prm" / "salmon" / f"{name}.prm", settings), {}, folder / name)
+            for name in CASES]
+    has_ended = Runner(Records(folder)).run(jobs)
+    failed = [f"{job.name}: {job.cause}" for job in jobs if job.state == "failed"]
+    if failed or not has_ended:
+        raise SweepError("\n".join(failed) or "stopped: the same command goes on.")
+
+
+def read_summary(folder):
+    """A dictionary for each frequency, by the names of the columns without their units."""
+    return Run(folder).summary.rename(columns=get_name).to_dict("records")
 
 
 def write_table(folder):
@@ -28,7 +43,7 @@ def write_table(folder):
              f"{'[J/(kg m)]':>12}",
              f"{'':26}{'ours':>14}{'paper':>10}{'ours':>12}{'paper':>8}"]
     for case in CASES:
-        for result in runs.read_summary(folder / case):
+        for result in read_summary(folder / case):
             f = result["frequency"]
             printed = paper.RESULTS.get((case, f))
             lines.append(
@@ -41,7 +56,7 @@ def write_table(folder):
     lines += ["", "The paper's energies [W]: fish one 0.61e-4 (0.64 Hz), 1.49e-4 (0.95 and 1.43 Hz); "
               "fish two 1.73e-4 (0.95 Hz).", "", "Largest torque of each joint [N m]:"]
     for case in CASES:
-        for result in runs.read_summary(folder / case):
+        for result in read_summary(folder / case):
             torques = [value for name, value in result.items() if name.startswith("largest torque")]
             lines.append(f"{case:18}{result['frequency']:8.2f}  "
                          + "".join(f"{torque:11.3e}" for torque in torques))
@@ -57,11 +72,11 @@ def draw_over_time(folder, cases, frequencies, title):
     figure, axes = style.make_figure(4, len(swims), 8.8, sharey="row")
     end = N_STROKES / min(frequencies)
     for column, (case, f) in enumerate(swims):
-        data = runs.read_statistics(folder / case, f)
+        data = Run(folder / case).read_statistics(f).rename(columns=get_name)
         time = data["time"]
         first = time <= end
         axes[0, column].plot(time, 100 * data["distance"])
-        axes[0, column].set_xlim(0, time[-1])
+        axes[0, column].set_xlim(0, time.iloc[-1])
         axes[1, column].plot(time[first], 100 * data["speed"][first])
         axes[2, column].plot(time[first], data["kinetic energy"][first])
         for joint in range(1, 7):
@@ -87,7 +102,7 @@ def draw_power(folder):
     """Distance, energy and power over frequency for all shapes, and the paper's points."""
     figure, axes = style.make_figure(1, 3, 4.)
     for case, colour in zip(CASES, style.LINES):
-        results = runs.read_summary(folder / case)
+        results = read_summary(folder / case)
         f = [result["frequency"] for result in results]
         for panel, name in zip(axes[0], ("distance", "mean kinetic energy", "mean gross power")):
             panel.plot(f, [result[name] for result in results], "o-", markersize=3, color=colour,
@@ -118,7 +133,7 @@ def draw_relations(folder):
     label, relation = paper.RELATION_IN_CM
     axes[0, 1].plot(F, relation(F), label=label)
     for case, colour, marker in zip(("fish_one", "fish_two", "salmon"), style.LINES[-3:], "os^"):
-        results = runs.read_summary(folder / case)
+        results = read_summary(folder / case)
         f = [result["frequency"] for result in results]
         options = dict(marker=marker, markersize=4, linestyle="--", color=colour,
                        label=f"model, {case.replace('_', ' ')}")
@@ -132,7 +147,7 @@ def draw_relations(folder):
         panel.set_xlabel("tail-beat frequency F [Hz]")
         panel.set_ylabel(label)
         panel.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=2)
-    figure.suptitle("empirical relations of table 2 (units by source, as far as it says)\n"
+    figure.suptitle("Speed over tail-beat frequency: empirical relations (units by source, as far as it says)\n"
                     "and the model: no agreement is claimed")
     return figure
 
@@ -144,17 +159,17 @@ def main(folder):
     style.apply()
     figures = {
         "shapes": draw_over_time(folder, ("fish_one", "fish_two"), (REFERENCE,),
-                                 "the two shapes (the paper's figures 5 to 7)"),
+                                 f"Two shapes of fish at {REFERENCE} Hz: distance, speed, energy and torques"),
         "frequencies": draw_over_time(folder, ("fish_one",), FREQUENCIES,
-                                      "fish one at three frequencies (figures 10 to 12)"),
-        "salmon": draw_over_time(folder, ("salmon",), FREQUENCIES, "an outline of a real salmon"),
+                                      "Fish one at three frequencies: distance, speed, energy and torques"),
+        "salmon": draw_over_time(folder, ("salmon",), FREQUENCIES, "A salmon at three frequencies: distance, speed, energy and torques"),
         "power": draw_power(folder),
         "relations": draw_relations(folder),
         "swimming_shapes": pictures.draw_swimming(
             folder, [("fish_one", 0.95), ("fish_two", 0.95), ("salmon", 0.95)],
-            "swimming at 0.95 Hz (figures 8 and 9)"),
+            "Three fish swimming at 0.95 Hz, seen from above"),
         "swimming_frequencies": pictures.draw_swimming(
-            folder, [("fish_one", f) for f in FREQUENCIES], "fish one (figure 13)"),
+            folder, [("fish_one", f) for f in FREQUENCIES], "Fish one swimming at three frequencies, seen from above"),
     }
     for name, figure in figures.items():
         figure.savefig(folder / f"{name}.png")

@@ -21,6 +21,9 @@ same "scripts/swim" "$(CAUDAL_RANKS=1 "$scripts/swim" --version)" "$version"
 "$scripts/swim" --check --fast "$PWD/prefix/share/caudal/prm/benchmarks/ring.prm" >/dev/null &&
   echo "scripts/swim checks an installed case"
 "$scripts/benchmark" --list >/dev/null && echo "scripts/benchmark lists its cases"
+"$scripts/sweep" --help >/dev/null && echo "scripts/sweep tells its options"
+PYTHONPATH=$PWD/prefix/share/caudal/python /usr/bin/python3 -c 'import caudal
+print(caudal.__file__)' | sed "s|$PWD/|import caudal finds |"
 
 mkdir project
 cat >project/CMakeLists.txt <<'END'

@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-from . import BrokenData, MissingData
+from .errors import BrokenData, MissingData
 
 
 @dataclasses.dataclass(eq=False)
