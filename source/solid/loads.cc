@@ -8,6 +8,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools_rhs.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace caudal
@@ -86,13 +87,16 @@ namespace caudal
 
       /**
        * Force and stiffness of the energy kappa/2 V (ln(v/V))^2 of the volume v of the cell, V in
-       * the reference configuration.
+       * the reference configuration. The curvature of v is left out of the stiffness in
+       * compression: there it is negative, and with large steps a body that swings is torn
+       * (measured with tests/viscous/flag.prm); in tension a body does not come to rest without it
+       * (prm/benchmarks/pulled_rectangle.prm).
        */
       void add_volume_stabilisation(const double kappa)
       {
         const double J = volume / reference_volume, log_J = std::log(J);
         force.add(-kappa * log_J / J, volume_gradient);
-        stiffness.add(kappa * log_J / J, volume_curvature);
+        stiffness.add(kappa * std::max(0., log_J) / J, volume_curvature);
         const double factor = kappa * (1. - log_J) / (J * volume);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)

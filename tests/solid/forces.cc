@@ -289,11 +289,11 @@ namespace
               << ", force off its slope by "
               << in_units(1e-9, (elastic_force * direction) / slope + 1) << '\n';
 
-    // Their stiffness, in compression and in tension.
+    // Their stiffness, which is whole in tension only.
     Vector<double> any(body.n_dofs());
     for (unsigned int i = 0; i < any.size(); ++i)
       any[i] = std::sin(1 + i * i);
-    for (const double factor : {0.8, 1., 1.2})
+    for (const double factor : {1., 1.2})
     {
       Vector<double> tangent(body.n_dofs()), differences(body.n_dofs());
       BodyResponse   response(body.get_sparsity_pattern());
