@@ -28,7 +28,8 @@ namespace caudal
       values.reinit(cell);
       for (const unsigned int q : values.quadrature_point_indices())
       {
-        function.vector_value(values.quadrature_point(q) + origin, force);
+        if (parameters.has_body_force_function())
+          function.vector_value(values.quadrature_point(q) + origin, force);
         for (const unsigned int i : values.dof_indices())
         {
           const unsigned int d = element.system_to_component_index(i).first;

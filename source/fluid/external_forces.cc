@@ -133,7 +133,8 @@ namespace caudal
         flow.reinit(cell, f);
         power += flow.integrate([&](const auto &u, const auto &n, const auto &traction) {
           const bool is_closed = condition.resists_backflow() && parameters.backflow_stabilisation;
-          const double flux    = is_closed ? std::max(u * n, 0.) : u * n;
+          const double through = (u - grid_velocity) * n;
+          const double flux    = is_closed ? std::max(through, 0.) : through;
           return (condition.is_open() ? 0. : u * traction) -
                  0.5 * parameters.density * u.norm_square() * flux;
         });

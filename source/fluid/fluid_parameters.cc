@@ -104,9 +104,9 @@ namespace caudal
   }
 
   template <int dim>
-  bool FluidParameters<dim>::has_body_force() const
+  bool FluidParameters<dim>::has_body_force_function() const
   {
-    return gravity.norm() > 0. || body_force.find_first_not_of("0; ") != std::string::npos;
+    return body_force.find_first_not_of("0; ") != std::string::npos;
   }
 
   template struct FluidParameters<2>;

@@ -174,15 +174,24 @@ namespace caudal
             .get_convection_matrix(velocity, parameters.density,
                                    parameters.convection_stabilisation, rate, convection);
         for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f) &&
-              space.get_boundary_condition(cell->face(f)->boundary_id()).is_open())
+          if (cell->at_boundary(f) && lets_through(cell->face(f)->boundary_id()))
             add_outflow_term(cell, f, velocity);
+      }
+
+      /** Whether velocities that are not prescribed may be carried through the side. */
+      bool lets_through(const types::boundary_id side) const
+      {
+        const BoundaryCondition<dim> &condition = space.get_boundary_condition(side);
+        return condition.is_open() ||
+               (step.grid_moves && !space.is_periodic(side / 2) &&
+                condition.get_prescribed_components(side / 2).n_selected_components(dim) < dim);
       }
 
       /**
        * Adds what the skew-symmetric form of the convection lacks on open
-       * sides, 1/2 rho (w.n) u.v; where the flow reverses that term would feed
-       * energy and may be left out (Braack & Mucha 2014, doi:10.4208/jcm.1405-m4347).
+       * sides, and on free-slip sides that move, 1/2 rho (w.n) u.v; where the flow reverses that
+       * term would feed energy and may be left out (Braack & Mucha 2014,
+       * doi:10.4208/jcm.1405-m4347).
        */
       void add_outflow_term(const Cell &cell, const unsigned int f, const Vector<double> &velocity)
       {

@@ -35,7 +35,7 @@ namespace caudal
     for (unsigned int d = 0; d < dim; ++d)
       if (domain.is_periodic(d))
       {
-        const int n    = domain.cells[d] << level;
+        const int n    = get_number_of_cells(d, level);
         coordinates[d] = ((coordinates[d] % n) + n) % n;
       }
     return coordinates;
@@ -144,10 +144,13 @@ namespace caudal
       // Numbers that no integer holds are clipped before they become one.
       const double begin = std::floor((lower[d] - origin[d]) / size[d] - margin);
       const double end   = std::floor((upper[d] - origin[d]) / size[d] + margin);
-      if (lattice.is_periodic(d) && std::abs(begin) < 1e9 && std::abs(end) < 1e9)
+      if (lattice.is_periodic(d))
       {
-        first[d] = begin;
-        last[d]  = end;
+        // A box as long as the period meets all cells.
+        const int  n        = lattice.get_number_of_cells(d, finest);
+        const bool is_short = end - begin < n && std::abs(begin) < 1e9;
+        first[d]            = is_short ? begin : 0;
+        last[d]             = is_short ? end : n - 1;
         continue;
       }
       if (!(begin <= highest[d] && end >= lowest[d]))

@@ -32,7 +32,8 @@ namespace caudal
     prm.add_parameter("Periodic directions", periodic_directions,
                       "Directions in which the domain repeats itself, letters of xyz: what leaves "
                       "it on one side comes back on the other, bodies, too, whose positions go on "
-                      "counting. Such sides have no boundary conditions.",
+                      "counting. Such sides have no boundary conditions. Two bodies that meet "
+                      "across such a side are not noticed.",
                       Patterns::Selection("none|x|y|z|xy|xz|yz|xyz"));
     prm.add_parameter(
         "Frame", frame,
@@ -86,6 +87,14 @@ namespace caudal
                     std::find(bodies.begin(), bodies.end(), frame) != bodies.end(),
                 ExcMessage("Domain/Frame: the value is <" + frame +
                            ">. Give fixed, moving or the name of a body."));
+    for (const std::string &body : bodies)
+      AssertThrow(body != "fixed" && body != "moving",
+                  ExcMessage("Bodies: a body can't be called " + body +
+                             ", which Domain/Frame has another meaning for. Give another name."));
+    AssertThrow(
+        frame_time == 0. || (has_moving_frame() && frame != "moving"),
+        ExcMessage("Domain/Frame time: it belongs to a grid that follows a body. Set Frame, "
+                   "or leave it at 0."));
     AssertThrow(!has_moving_frame() || !is_explicit,
                 ExcMessage("Domain/Frame: a grid that moves needs Time/Scheme = semi-implicit."));
     AssertThrow(

@@ -24,8 +24,10 @@ namespace caudal
      * Columns with the force of the surrounding fluid on the bodies, by two accounts that should
      * agree with each other and with ControlVolume (per metre of span in 2D):
      * - body force: d/dt int_B rho u - int_B f, f the force density on the fluid;
-     * - feedback force: the same with the feedback forces alone; for bodies that
-     *   are held and neither swim nor have another density than the fluid.
+     * - feedback force: the same with the feedback forces alone, and what fixed nodes bear of the
+     *   elastic ones; for bodies that are held and neither swim nor have another density than the
+     *   fluid.
+     * With gravity neither holds the buoyancy -rho g V.
      * The inertia of the fluid in the place of the bodies B is part of both.
      * The moment of the fluid about the centre of mass is that of the body force.
      */
@@ -81,10 +83,11 @@ namespace caudal
                          get_extensive_unit<dim>("N m"), moment[k]);
         if (!is_merely_held(body))
           return;
+        // Where nodes are fixed, the support takes what the elastic forces of the others lack.
+        const BodyMotion motion = body.get_motion(state, observation.time, observation.step);
         set(" by feedback",
-            sum_up(body.get_solid(),
-                   body.compute_force(LoadAccount::feedback,
-                                      body.get_motion(state, observation.time, observation.step))));
+            sum_up(body.get_solid(), body.compute_force(LoadAccount::feedback, motion)) +
+                sum_up(body.get_solid(), body.compute_force(LoadAccount::elastic, motion)));
       }
 
       void exchange_state(StateArchive &archive) override

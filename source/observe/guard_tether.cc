@@ -20,7 +20,7 @@ namespace caudal
       double                largest = 0;
       for (const auto &node : solid.get_nodes())
         for (unsigned int d = 0; d < dim; ++d)
-          if (solid.get_feedback_stiffness().diag_element(node[d]) > 0)
+          if (solid.has_springs(node[d]))
             largest = std::max(largest, std::abs(positions[node[d]] - held[node[d]]) / h[d]);
       return largest;
     }

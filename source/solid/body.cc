@@ -157,6 +157,15 @@ namespace caudal
     muscle->check_memory(state.contraction.after);
   }
 
+  namespace
+  {
+    /** Whether a load is what holds fixed nodes, or is borne by their support. */
+    bool acts_on_fixed_nodes(const LoadAccount account)
+    {
+      return account == LoadAccount::feedback || account == LoadAccount::gait;
+    }
+  } // namespace
+
   template <int dim>
   Vector<double> Body<dim>::compute_force(const LoadAccount account, const BodyMotion &motion) const
   {
@@ -164,7 +173,7 @@ namespace caudal
     for (const auto &load : loads)
       if (load->account == account)
         load->add(motion, force, nullptr);
-    if (account != LoadAccount::feedback)
+    if (!acts_on_fixed_nodes(account))
       solid.clear_fixed_nodes(force);
     return force;
   }
@@ -173,9 +182,9 @@ namespace caudal
   ForcesByAccount Body<dim>::compute_forces(const BodyMotion &motion, BodyResponse *response) const
   {
     ForcesByAccount forces;
-    const auto      add = [&](const bool is_feedback) {
+    const auto      add = [&](const bool on_fixed_nodes) {
       for (const auto &load : loads)
-        if ((load->account == LoadAccount::feedback) == is_feedback)
+        if (acts_on_fixed_nodes(load->account) == on_fixed_nodes)
         {
           Vector<double> &force = forces[load->account];
           if (force.size() == 0)

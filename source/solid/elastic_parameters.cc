@@ -66,6 +66,9 @@ namespace caudal
                   ExcMessage(path + "/Material: <" + material.material.get_name() +
                              "> leaves the volume to the fluid's pressure, and there is no fluid. "
                              "Give St. Venant-Kirchhoff, or a Volumetric stabilisation."));
+      AssertThrow(!region.place.moves(),
+                  ExcMessage(path + "/Translation, Rotation: the elastic model moves no region. "
+                                    "Leave them empty; Motion = fixed holds a region."));
       AssertThrow(region.feedback_stiffness == 0 && region.feedback_damping == 0,
                   ExcMessage(path +
                              "/Feedback stiffness, Feedback damping: the elastic model has no "

@@ -91,9 +91,10 @@ namespace caudal
         for (unsigned int d = 0; d < dim; ++d)
           node[d] = dofs[element.component_to_system_index(d, a)];
         all[node[0]] = node;
-        // A region that moves its points has those that it shares with others.
-        if (regions.count(node[0]) == 0 || region.place.moves())
-          regions[node[0]] = cell->material_id();
+        // The region that holds its points best has those that it shares with others.
+        const auto [other, is_new] = regions.emplace(node[0], cell->material_id());
+        if (!is_new && region.get_hold() > parameters.region_parameters[other->second]->get_hold())
+          other->second = cell->material_id();
         if (cell->material_id() == 0)
           head[node[0]] = node;
       }
@@ -154,6 +155,8 @@ namespace caudal
   template <int dim>
   void SolidBody<dim>::restore_fixed_nodes(Vector<double> &x, const double time) const
   {
+    if (std::find(fixed_dofs.begin(), fixed_dofs.end(), true) == fixed_dofs.end())
+      return;
     const Vector<double> held = compute_held_positions(time);
     for (unsigned int i = 0; i < n_dofs(); ++i)
       if (fixed_dofs[i])
@@ -217,6 +220,8 @@ namespace caudal
             }
           }
     }
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      spring_dofs.push_back(feedback_stiffness.diag_element(i) > 0.);
     add_surface_springs("Surface spring", parameters.surface_spring, feedback_stiffness);
     add_surface_springs("Surface damper", parameters.surface_damper, feedback_damping);
     assemble_coupling_mass();

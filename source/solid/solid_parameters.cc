@@ -108,9 +108,14 @@ namespace caudal
     AssertThrow(motion != "prescribed" || place.moves(),
                 ExcMessage(path + "/Motion: it is prescribed, but Translation and Rotation are "
                                   "empty. Give one of them, or set Motion = fixed."));
-    AssertThrow(!place.moves() || is_fixed() || feedback_stiffness > 0.,
+    AssertThrow(!place.moves() || is_fixed() || feedback_stiffness > 0. || feedback_damping > 0.,
                 ExcMessage(path + "/Translation, Rotation: nothing holds this region. Set Motion = "
                                   "prescribed, or give it a Feedback stiffness."));
+    AssertThrow(motion != "prescribed" || feedback_damping > 0.,
+                ExcMessage(path +
+                           "/Feedback damping: it is 0, and the fluid would pass through "
+                           "points whose motion is prescribed. Give 1e4 mu/h^2 or more, h the "
+                           "fluid's finest cells (--check tells)."));
     place.check(path);
   }
 
@@ -148,11 +153,12 @@ namespace caudal
     prm.add_parameter("Surface spring", surface_spring,
                       "Stiffness k of springs on the body's surface [Pa/m], as a function of the "
                       "point in the body's own frame: the force k (X_0 - X) per area of the "
-                      "undeformed body. 0 where there are none; empty: none anywhere.",
+                      "undeformed body, X_0 where its region is held. 0 where there are none; "
+                      "empty: none anywhere.",
                       Patterns::Anything());
     prm.add_parameter("Surface damper", surface_damper,
                       "Coefficient c of dampers on the body's surface [Pa s/m], likewise: the "
-                      "force -c U per area.",
+                      "force c (dX_0/dt - U) per area.",
                       Patterns::Anything());
     grid.add_parameters(prm);
     for (unsigned int r = 0; r < regions.size(); ++r)
@@ -205,7 +211,9 @@ namespace caudal
                                                                "Give automatic or a modulus [Pa].");
     // The modulus of the waves is twice the shear modulus of an incompressible material.
     if (!value)
-      return traction.empty() ? 0. : 50. * parameters.material.get_wave_modulus(path);
+      return traction.empty() ? 0.
+                              : 50. * (parameters.material.get_wave_modulus(path) -
+                                       parameters.material.volumetric_stabilisation);
     check_not_negative(path + "/Cell volume stabilisation", *value);
     return *value;
   }

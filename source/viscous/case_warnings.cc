@@ -103,7 +103,7 @@ namespace caudal
                                  print_rounded(least_damping * unit) + " or more.");
     };
     for (unsigned int r = 0; r < entries.regions.size(); ++r)
-      if (entries.region_parameters[r]->motion == "fixed")
+      if (entries.region_parameters[r]->is_fixed())
         warn_of_damping(entries.get_region_path(r) + "/Feedback damping",
                         entries.region_parameters[r]->feedback_damping);
     if (body.body.has_gait())
@@ -124,7 +124,7 @@ namespace caudal
                            " m): the body feels it. Move the body or change Domain/Size.");
       const double speed    = estimate_swimming_speed(body.body);
       const double distance = speed * parameters.time.end_time;
-      if (parameters.domain.frame != body.body.get_name() && distance > body.room_ahead)
+      if (!parameters.domain.has_moving_frame() && distance > body.room_ahead)
         warnings.push_back(
             "Time/End time: at " + print_rounded(speed) + " m/s " + body.path + " swims " +
             print_rounded(distance) + " m, and there are " + print_rounded(body.room_ahead) +
@@ -176,6 +176,11 @@ namespace caudal
           "Fluid/Boundary conditions: what the prescribed velocities let in and what they "
           "let out differ by up to " +
           print_rounded(100 * outflow_change) + " %. The outflow is scaled so that they agree.");
+    for (const auto &side : parameters.fluid.sides)
+      if (parameters.fluid.gravity.norm() > 0. && side.get().resists_backflow())
+        warnings.push_back("Fluid/Gravity: the fluid falls out of a side without traction, " +
+                           side.get_path("Fluid/Boundary conditions") +
+                           ". Give that side the pressure of the fluid outside (pressure).");
     if (scales.speed == 0)
       return;
     if (!bodies.empty() && get_boundary_layer() < cell_size)

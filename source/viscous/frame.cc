@@ -42,8 +42,9 @@ namespace caudal
       const DomainVector    lag   = extend<dim>(solid.compute_mean(state.positions) -
                                            solid.compute_mean(solid.get_initial_positions())) -
                                frame.origin;
-      const DomainVector slip = extend<dim>(body.get_mean_velocity(state)) - frame.velocity;
-      return frame.velocity + dt / filter_time * (2. * slip + lag / filter_time);
+      const DomainVector velocity = extend<dim>(body.get_mean_velocity(state));
+      const double       a        = dt / filter_time; // implicit: stable for any step
+      return (frame.velocity + a * (2. * velocity + lag / filter_time)) / ((1. + a) * (1. + a));
     }
 
     /** `Domain/Frame time` [s], or a beat, or a second where none is known. */

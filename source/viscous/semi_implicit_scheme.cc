@@ -145,6 +145,7 @@ namespace caudal
         momentum.transport       = &point.transport;
         momentum.inertia_history = &history;
         momentum.instant         = point.end;
+        momentum.grid_moves      = operators.parameters.domain.has_moving_frame();
         return operators.momentum.assemble(momentum, guess.velocity, guess.pressure);
       }
 

@@ -13,9 +13,10 @@ namespace caudal
       return;
     const Linearisation &point = *memory.linearisation;
     MomentumStep         momentum;
-    momentum.weights   = point.weights;
-    momentum.transport = point.has_transport() ? &point.transport : nullptr;
-    momentum.instant   = point.end;
+    momentum.weights    = point.weights;
+    momentum.transport  = point.has_transport() ? &point.transport : nullptr;
+    momentum.instant    = point.end;
+    momentum.grid_moves = operators.parameters.domain.has_moving_frame();
     operators.momentum.assemble(momentum, operators.space.make_velocity_vector(),
                                 operators.space.make_pressure_vector());
     operators.solver.recall(linearise_bodies(operators, point).equations, memory.linearisation);

@@ -41,7 +41,13 @@ namespace caudal
     /** The coefficient of the grad-div term [m^2/s], unless it is left to the program. */
     std::optional<double> get_grad_div() const;
 
-    bool has_body_force() const;
+    /** Whether Body force says more than zero. */
+    bool has_body_force_function() const;
+
+    bool has_body_force() const
+    {
+      return gravity.norm() > 0. || has_body_force_function();
+    }
 
     /** The conditions on the sides, by boundary id. */
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> create_boundary_conditions() const;

@@ -26,6 +26,8 @@ namespace caudal
 
     /** At which body force and tractions are taken. */
     Instant instant;
+    /** Whether the grid moves, so that there is transport through closed sides, too. */
+    bool grid_moves = false;
   };
 
   /**

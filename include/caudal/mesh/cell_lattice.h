@@ -41,7 +41,11 @@ namespace caudal
     /** The coordinates on @p level of the cell that holds @p point (inside the domain or not). */
     Coordinates get_coordinates(const Point<dim> &point, unsigned int level) const;
     bool        is_inside(const Coordinates &coordinates, unsigned int level) const;
-    bool        is_periodic(const unsigned int direction) const
+    int         get_number_of_cells(const unsigned int direction, const unsigned int level) const
+    {
+      return domain.cells[direction] << level;
+    }
+    bool is_periodic(const unsigned int direction) const
     {
       return domain.is_periodic(direction);
     }

@@ -14,7 +14,7 @@ namespace caudal
    * momentum balance of the flow (per metre of span in 2D),
    *   F = Phi - dP/dt [N/m],  P = int_V rho u - int_B rho u [N s/m],
    * Phi the other forces on the fluid in V with the momentum that flows in (MomentumBalance), and
-   * its impulse since the first step,
+   * (with gravity, without the buoyancy -rho g V) its impulse since the first step,
    *   I = int Phi dt - (P - P_0) + J [N s/m],
    * by the trapezoidal rule, as BDF2's sum over the steps asks for: so the mean force over a time
    * needs no derivative.

@@ -97,6 +97,12 @@ namespace caudal
     {
       return fixed_dofs[dof];
     }
+    /** Whether the springs of a region, and not only those of the surface, hold this unknown. */
+    bool has_springs(const unsigned int dof) const
+    {
+      return spring_dofs[dof];
+    }
+
     /** Removes what acts on the nodes of fixed regions, which is borne by their support. */
     void clear_fixed_nodes(Vector<double> &force) const;
     /** Removes the rows of these nodes. */
@@ -246,7 +252,7 @@ namespace caudal
     std::vector<std::vector<QuadraturePoint>>   quadrature_points; // by cell
     std::vector<Node>                           nodes, head_nodes;
     std::vector<Point<dim>>                     reference_points;
-    std::vector<bool>                           fixed_dofs;
+    std::vector<bool>                           fixed_dofs, spring_dofs;
     std::vector<PrescribedPlace<dim>>           places;           // by region
     std::vector<unsigned int>                   regions_of_nodes; // that hold them
     Vector<double>                              initial_positions, nodal_volumes;

@@ -60,6 +60,12 @@ namespace caudal
       return motion != "free";
     }
 
+    /** How strictly it rules the places of its points, to be compared with other regions. */
+    unsigned int get_hold() const
+    {
+      return motion == "prescribed" ? 3 : motion == "fixed" ? 2 : place.moves() ? 1 : 0;
+    }
+
     void add_parameters(ParameterHandler &prm);
     void check(const std::string &path) const;
   };
