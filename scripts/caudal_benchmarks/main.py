@@ -41,7 +41,7 @@ def measure(case, options):
     for figure in figures:
         print(report.format_row(report.make_row(case.name, figure)), flush=True)
     for note in dict.fromkeys(figure.note for figure in figures if figure.note):
-        print(f"{'':16}({note})")
+        print(f"{'':22}({note})")
     if case.curves:
         report.plot(options.folder / f"{case.name}.png", case, results, figures)
     if case.plot:

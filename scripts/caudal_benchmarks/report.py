@@ -27,7 +27,7 @@ def make_row(case, figure):
 
 
 HEADER = ("case", "quantity", "value", "reference", "error %", "gate", "")
-WIDTHS = (16, 46, 12, 12, 9, 20, 4)
+WIDTHS = (22, 46, 12, 12, 9, 20, 4)
 
 
 def format_row(row):

@@ -31,11 +31,9 @@ namespace caudal
 
       Tensor<4, dim> tangent(const Tensor<2, dim> &F, const Point<dim> &s) const override
       {
-        // With the derivative of F^-T: without it the stabilisation makes energy in compression.
-        const double         log_J = std::log(positive_determinant(F));
-        const Tensor<2, dim> G     = inverse_transpose(F);
+        const Tensor<2, dim> G = inverse_transpose(F);
         return material->tangent(F, s) + make_tangent<dim>([&](auto i, auto J, auto k, auto L) {
-                 return kappa * (G[i][J] * G[k][L] - log_J * G[i][L] * G[k][J]);
+                 return kappa * G[i][J] * G[k][L];
                });
       }
 

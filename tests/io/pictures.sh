@@ -89,7 +89,11 @@ done
 view() {
   "$CAUDAL_SOURCE_DIR/scripts/paraview" $1 >printed
   if command -v pvpython >/dev/null && command -v xvfb-run >/dev/null; then
-    xvfb-run -a pvpython $1/view.py $1.png >printed 2>&1 || cat printed
+    # A busy machine may start the display too late.
+    for attempt in 1 2 3; do
+      xvfb-run -a pvpython $1/view.py $1.png >printed 2>&1 && break
+    done
+    [ -s $1.png ] || cat printed
     /usr/bin/python3 -c '
 import sys
 from PIL import Image

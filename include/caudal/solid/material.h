@@ -56,7 +56,10 @@ namespace caudal
     virtual Tensor<2, dim> first_piola_kirchhoff_stress(const Tensor<2, dim> &F,
                                                         const Point<dim>     &s) const = 0;
 
-    /** dP_iJ/dF_kL [Pa], indices in this order. */
+    /**
+     * dP_iJ/dF_kL [Pa], indices in this order; of a volumetric stabilisation without
+     * -kappa ln(J) F^-T_kJ F^-T_iL.
+     */
     virtual Tensor<4, dim> tangent(const Tensor<2, dim> &F, const Point<dim> &s) const = 0;
 
     /** Whether the volume is kept by the fluid's pressure and not by the material. */

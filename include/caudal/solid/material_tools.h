@@ -55,7 +55,9 @@ namespace caudal
   /**
    * Another @p material plus the energy kappa/2 (ln J)^2, which penalises the volume errors that
    * interpolation of the velocity leaves in the body (Vadala-Roth et al., Comput. Methods Appl.
-   * Mech. Engrg. 365, 2020, doi:10.1016/j.cma.2020.112978).
+   * Mech. Engrg. 365, 2020, doi:10.1016/j.cma.2020.112978). The tangent is that of the linearised
+   * ln J, kappa F^-T F^-T: what it leaves out is indefinite and inverted cells in which ln J had
+   * become large.
    */
   template <int dim>
   std::unique_ptr<Material<dim>>
