@@ -5,4 +5,4 @@ set -e
   ring csm1 csm2 taylor_green kovasznay moving_vortices >table || cat table
 # Names have 16 columns, quantities those up to the first gap.
 awk 'NF && $NF ~ /^(ok|off)$/ {
-  quantity = substr($0, 17); sub(/  .*/, "", quantity); print $1 ", " quantity ": " $NF }' table
+  quantity = substr($0, 23); sub(/  .*/, "", quantity); print $1 ", " quantity ": " $NF }' table
