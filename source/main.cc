@@ -82,6 +82,7 @@ namespace
     setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrites);
     setenv("OMPI_MCA_pml", "ob1", overwrites);
     setenv("OMPI_MCA_btl", "self", overwrites);
+    setenv("OMPI_MCA_sharedfp", "^sm", overwrites); // its files would be the daemon's
   }
 
   /**

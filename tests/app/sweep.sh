@@ -52,7 +52,8 @@ print(pandas.read_csv("fails/sweep.csv")[["Surface/Cells along", "state", "remar
 echo "* a fish whose beats are not steady, and one that has made none"
 sweep eel.prm "Time/End time=0.8|0.1" --folder beats --no-pages --figures speed
 sweep eel.prm "Time/End time=0.8|0.1" --folder beats --no-pages --figures speed --steady-only
-table beats/sweep.csv
+# A speed of so few steps has no digits that are the same everywhere.
+table beats/sweep.csv | sed 's/-[0-9.e-]* \( *0 finished\)/SPEED \1/'
 [ ! -e beats/sweep.png ] || ls beats
 
 echo "* a list"
