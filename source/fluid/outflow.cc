@@ -7,19 +7,9 @@ namespace caudal
   {
     /** -p n + mu du/dn = 0. */
     template <int dim>
-    class Outflow : public BoundaryCondition<dim>
+    class Outflow : public OpenSide<dim>
     {
     public:
-      ComponentMask get_prescribed_components(const unsigned int) const override
-      {
-        return ComponentMask(dim, false);
-      }
-
-      bool is_open() const override
-      {
-        return true;
-      }
-
       bool resists_backflow() const override
       {
         return true;

@@ -32,19 +32,9 @@ namespace caudal
 
     /** -p n + mu du/dn = -p n of the pressure outside, whichever way the fluid flows. */
     template <int dim>
-    class PressureSide : public BoundaryCondition<dim>
+    class PressureSide : public OpenSide<dim>
     {
     public:
-      ComponentMask get_prescribed_components(const unsigned int) const override
-      {
-        return ComponentMask(dim, false);
-      }
-
-      bool is_open() const override
-      {
-        return true;
-      }
-
       void add_parameters(ParameterHandler &prm) override
       {
         prm.add_parameter("Pressure", text,

@@ -8,19 +8,9 @@ namespace caudal
   {
     /** -p n + mu du/dn = a function of place and time, whichever way the fluid flows. */
     template <int dim>
-    class TractionSide : public BoundaryCondition<dim>
+    class TractionSide : public OpenSide<dim>
     {
     public:
-      ComponentMask get_prescribed_components(const unsigned int) const override
-      {
-        return ComponentMask(dim, false);
-      }
-
-      bool is_open() const override
-      {
-        return true;
-      }
-
       void add_parameters(ParameterHandler &prm) override
       {
         prm.add_parameter("Traction", text,

@@ -70,6 +70,22 @@ namespace caudal
       return false;
     }
   };
+
+  /** A side of which the traction is prescribed, and no component of the velocity. */
+  template <int dim>
+  class OpenSide : public BoundaryCondition<dim>
+  {
+  public:
+    ComponentMask get_prescribed_components(const unsigned int) const override
+    {
+      return ComponentMask(dim, false);
+    }
+
+    bool is_open() const override
+    {
+      return true;
+    }
+  };
 } // namespace caudal
 
 #endif
