@@ -26,25 +26,37 @@ namespace caudal
       return body.compute_gait_force(state.force_density, forces, acceleration);
     }
 
+    /** A node in the frame of the gait: its section, place and the force on it. */
+    template <int dim>
+    struct LoadedNode
+    {
+      double         s;
+      Tensor<1, dim> place, force;
+    };
+
+    template <int dim>
+    std::vector<LoadedNode<dim>>
+    bring_to_gait(const SolidBody<dim> &solid, const RigidMotion<dim> &fit,
+                  const Vector<double> &positions, const Vector<double> &forces)
+    {
+      const Tensor<2, dim>         back = transpose(fit.rotation);
+      std::vector<LoadedNode<dim>> nodes;
+      for (const auto &node : solid.get_nodes())
+        nodes.push_back({solid.get_reference_point(node[0])[0],
+                         back * (get_value(positions, node) - fit.center) + fit.reference_center,
+                         back * Tensor<1, dim>(get_value(forces, node))});
+      return nodes;
+    }
+
     /** The torque on the nodes behind the section at @p s about the spine there. */
     template <int dim>
-    double compute_torque(const SolidBody<dim> &solid, const RigidMotion<dim> &fit,
-                          const Vector<double> &positions, const Vector<double> &forces,
-                          const double s, const Point<2> &spine)
+    double compute_torque(const std::vector<LoadedNode<dim>> &nodes, const double s,
+                          const Point<2> &spine)
     {
       double torque = 0;
-      for (const auto &node : solid.get_nodes())
-      {
-        if (solid.get_reference_point(node[0])[0] <= s)
-          continue;
-        // In the frame of the gait
-        const Tensor<1, dim> place =
-            transpose(fit.rotation) * (get_value(positions, node) - fit.center) +
-            fit.reference_center;
-        const Tensor<1, dim> force =
-            transpose(fit.rotation) * Tensor<1, dim>(get_value(forces, node));
-        torque += (place[0] - spine[0]) * force[1] - (place[1] - spine[1]) * force[0];
-      }
+      for (const auto &[section, place, force] : nodes)
+        if (section > s)
+          torque += (place[0] - spine[0]) * force[1] - (place[1] - spine[1]) * force[0];
       return torque;
     }
   } // namespace
@@ -69,10 +81,11 @@ namespace caudal
     std::vector<double> sections; // the ends of equal pieces, and their middles
     for (unsigned int i = 0; i <= 2 * n_sections; ++i)
       sections.push_back(length * i / (2 * n_sections));
-    const auto           spine  = compute_spine_points(body.get_gait(), sections, time);
-    const Vector<double> forces = compute_constraint_force(body, state, time, step);
-    const auto           torque = [&](const unsigned int i) {
-      return compute_torque(solid, fit, state.positions, forces, sections[i], spine[i].place);
+    const auto spine  = compute_spine_points(body.get_gait(), sections, time);
+    const auto loaded = bring_to_gait(solid, fit, state.positions,
+                                      compute_constraint_force(body, state, time, step));
+    const auto torque = [&](const unsigned int i) {
+      return compute_torque(loaded, sections[i], spine[i].place);
     };
     for (unsigned int i = 0; i < n_sections; ++i)
       result.power +=

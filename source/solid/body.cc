@@ -74,7 +74,6 @@ namespace caudal
       , solid(parameters.solid, fluid)
       , extent(compute_extent(solid.get_triangulation()))
       , controller(parameters.controller.type.create())
-      , gravity(gravity)
   {
     std::map<std::string, types::material_id> region_ids;
     for (unsigned int r = 0; r < parameters.solid.regions.size(); ++r)
@@ -91,7 +90,10 @@ namespace caudal
     loads.push_back(make_elastic_load(solid));
     loads.push_back(make_feedback_load(solid));
     if (gravity.norm() > 0. && solid.get_excess_density() != 0.)
-      loads.push_back(make_excess_weight(solid, gravity));
+    {
+      excess_weight = compute_excess_weight(solid, gravity);
+      loads.push_back(make_excess_weight(solid, excess_weight));
+    }
     if (has_muscle())
       loads.push_back(make_muscle_load(solid, *muscle));
     if (!parameters.solid.traction.empty())
@@ -235,9 +237,11 @@ namespace caudal
   template <int dim>
   double Body<dim>::get_potential_energy(const BodyState &state) const
   {
+    if (excess_weight.size() == 0)
+      return 0;
     Vector<double> rise(state.positions);
     rise -= solid.get_initial_positions();
-    return -(compute_excess_weight(solid, gravity) * rise);
+    return -(excess_weight * rise);
   }
 
   template <int dim>

@@ -212,9 +212,9 @@ namespace caudal
     class ExcessWeight : public Load<dim>
     {
     public:
-      ExcessWeight(const SolidBody<dim> &body, const Tensor<1, dim> &gravity)
+      ExcessWeight(const SolidBody<dim> &body, const Vector<double> &weight)
           : Load<dim>(body, LoadAccount::gravity)
-          , weight(compute_excess_weight(body, gravity))
+          , weight(weight)
       {}
 
       void add(const BodyMotion &, Vector<double> &force, BodyResponse *) const override
@@ -223,7 +223,7 @@ namespace caudal
       }
 
     private:
-      const Vector<double> weight;
+      const Vector<double> &weight;
     };
 
     template <int dim>
@@ -369,9 +369,9 @@ namespace caudal
 
   template <int dim>
   std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &body,
-                                                const Tensor<1, dim> &gravity)
+                                                const Vector<double> &weight)
   {
-    return std::make_unique<ExcessWeight<dim>>(body, gravity);
+    return std::make_unique<ExcessWeight<dim>>(body, weight);
   }
 
   template <int dim>
@@ -425,7 +425,7 @@ namespace caudal
   template std::unique_ptr<Load<dim>> make_elastic_load(const SolidBody<dim> &);                   \
   template std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &);                  \
   template std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &,                   \
-                                                         const Tensor<1, dim> &);                  \
+                                                         const Vector<double> &);                  \
   template std::unique_ptr<Load<dim>> make_muscle_load(const SolidBody<dim> &,                     \
                                                        const Muscle<dim> &);                       \
   template std::unique_ptr<Load<dim>> make_surface_load(const SolidBody<dim> &);                   \

@@ -185,7 +185,7 @@ namespace caudal
     std::unique_ptr<Controller>             controller;
     std::vector<std::unique_ptr<Load<dim>>> loads;
     unsigned int                            lateral_point = 0; // if it undulates
-    const Tensor<1, dim>                    gravity;
+    Vector<double>                          excess_weight;     // empty if there is none
 
     void             check_nose() const;
     Tensor<1, dim>   evaluate_monitored(const Vector<double> &field) const;

@@ -90,10 +90,10 @@ namespace caudal
   template <int dim>
   std::unique_ptr<Load<dim>> make_feedback_load(const SolidBody<dim> &body);
 
-  /** int (rho_s - rho) g.N ds, the weight that the body has in excess of the fluid's. */
+  /** The weight that the body has in excess of the fluid's, see compute_excess_weight(). */
   template <int dim>
   std::unique_ptr<Load<dim>> make_excess_weight(const SolidBody<dim> &body,
-                                                const Tensor<1, dim> &gravity);
+                                                const Vector<double> &weight);
 
   /** int f_a.N ds - int F S_a : grad N ds: force density and active stress of the @p muscle. */
   template <int dim>
