@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/fish/least_squares.h>
 #include <caudal/fish/measured_midline.h>
 #include <caudal/fish/number_table.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/householder.h>
-#include <deal.II/lac/vector.h>
 
 #include <boost/math/special_functions/legendre.hpp>
 
@@ -20,13 +17,10 @@ namespace caudal
     std::vector<double> fit(const std::vector<double> &places, const std::vector<double> &values,
                             const unsigned int n_modes)
     {
-      FullMatrix<double> matrix(places.size(), n_modes + 1);
-      for (std::size_t j = 0; j < places.size(); ++j)
-        for (unsigned int k = 0; k <= n_modes; ++k)
-          matrix(j, k) = boost::math::legendre_p(static_cast<int>(k), 2. * places[j] - 1.);
-      Vector<double> coefficients(n_modes + 1);
-      Householder<double>(matrix).least_squares(coefficients,
-                                                Vector<double>(values.begin(), values.end()));
+      const auto coefficients =
+          fit_least_squares(places, values, n_modes + 1, [](const double x, const unsigned int k) {
+            return boost::math::legendre_p(static_cast<int>(k), 2. * x - 1.);
+          });
       return {coefficients.begin(), coefficients.end()};
     }
 

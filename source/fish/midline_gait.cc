@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
 #include <caudal/fish/gait.h>
+#include <caudal/fish/least_squares.h>
 #include <caudal/fish/measured_midline.h>
 #include <caudal/fish/spline.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/householder.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,12 +53,21 @@ namespace caudal
         check_not_negative(path + "/Period", period, "Give a positive time [s], or 0.");
         check_not_negative(path + "/Smoothing time", smoothing_time,
                            "Give a positive time [s], or 0.");
-        const std::size_t n_rows = read(path + "/File", 1.).times.size();
+        const std::vector<double> times  = read(path + "/File", 1.).times;
+        const std::size_t         n_rows = times.size();
         AssertThrow(!periodic || n_rows >= 2 * n_harmonics + 2,
                     ExcMessage(path + "/Harmonics: there are " + std::to_string(n_rows) +
                                " midlines in " + file + ", which are too few for " +
                                std::to_string(n_harmonics) +
                                " harmonics. Give two for each harmonic and two more, or fewer "
+                               "harmonics."));
+        const std::size_t n_phases = periodic ? count_phases(times) : 0;
+        AssertThrow(!periodic || n_phases > 2 * n_harmonics,
+                    ExcMessage(path + "/Period: the midlines in " + file + " are at " +
+                               std::to_string(n_phases) +
+                               " different phases of it only, which are too few for " +
+                               std::to_string(n_harmonics) +
+                               " harmonics. Give two for each harmonic and one more, or fewer "
                                "harmonics."));
       }
 
@@ -152,6 +158,23 @@ namespace caudal
         return read_midline(entry, file, quantity == "curvature", length, n_modes);
       }
 
+      /** How many of the @p times are at different phases of the period, apart by more than 1e-6.
+       */
+      std::size_t count_phases(const std::vector<double> &times) const
+      {
+        const double        length = period > 0. ? period : times.back() - times.front();
+        std::vector<double> phases;
+        for (const double time : times)
+        {
+          const double turns = (time - times.front()) / length;
+          phases.push_back(turns - std::floor(turns + 1e-6));
+        }
+        std::sort(phases.begin(), phases.end());
+        return std::unique(phases.begin(), phases.end(),
+                           [](const double a, const double b) { return b - a < 1e-6; }) -
+               phases.begin();
+      }
+
       double get_phase(const double time) const
       {
         return 2. * numbers::PI * (time - start) / (end - start);
@@ -161,20 +184,11 @@ namespace caudal
       Vector<double> fit_series(const std::vector<double> &times,
                                 const std::vector<double> &values) const
       {
-        FullMatrix<double> matrix(times.size(), 2 * n_harmonics + 1);
-        for (std::size_t i = 0; i < times.size(); ++i)
-        {
-          matrix(i, 0) = 1.;
-          for (unsigned int j = 1; j <= n_harmonics; ++j)
-          {
-            matrix(i, 2 * j - 1) = std::cos(j * get_phase(times[i]));
-            matrix(i, 2 * j)     = std::sin(j * get_phase(times[i]));
-          }
-        }
-        Vector<double> coefficients(2 * n_harmonics + 1);
-        Householder<double>(matrix).least_squares(coefficients,
-                                                  Vector<double>(values.begin(), values.end()));
-        return coefficients;
+        return fit_least_squares(times, values, 2 * n_harmonics + 1,
+                                 [&](const double time, const unsigned int i) {
+                                   const double psi = (i + 1) / 2 * get_phase(time);
+                                   return i % 2 == 1 ? std::cos(psi) : i == 0 ? 1. : std::sin(psi);
+                                 });
       }
 
       std::pair<double, double> evaluate_series(const Vector<double> &coefficients,

@@ -148,5 +148,7 @@ int main()
               {{"Midline/Harmonics", "1"}});
   print_error("0" + row + "1" + row + "2" + row + "3" + row,
               {{"Midline/Modes", "5"}, {"Midline/Harmonics", "1"}});
+  print_error("0" + row + "1" + row + "2" + row + "3" + row,
+              {{"Midline/Period", "2"}, {"Midline/Harmonics", "1"}});
   print_error("0;1\n1;1\n2;1\n3;1\n", {});
 }
