@@ -125,11 +125,11 @@ namespace caudal
     }
   } // namespace
 
-  std::vector<SpinePoint> compute_spine_points(const Gait &gait, const std::vector<double> &s,
-                                               const double time)
+  std::vector<GaitPoint> compute_gait_points(const Gait &gait, const std::vector<double> &s,
+                                             const double time)
   {
-    const Midline           spine(gait, time);
-    std::vector<SpinePoint> points;
+    const Midline          spine(gait, time);
+    std::vector<GaitPoint> points;
     for (const double place : s)
     {
       const auto [piece, x] = find_piece(spine, place);

@@ -81,7 +81,7 @@ namespace caudal
     std::vector<double> sections; // the ends of equal pieces, and their middles
     for (unsigned int i = 0; i <= 2 * n_sections; ++i)
       sections.push_back(length * i / (2 * n_sections));
-    const auto spine  = compute_spine_points(body.get_gait(), sections, time);
+    const auto spine  = compute_gait_points(body.get_gait(), sections, time);
     const auto loaded = bring_to_gait(solid, fit, state.positions,
                                       compute_constraint_force(body, state, time, step));
     const auto torque = [&](const unsigned int i) {

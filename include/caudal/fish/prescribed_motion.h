@@ -13,15 +13,15 @@ namespace caudal
 {
   /** A point m(s) of a gait's spine in the body's frame [m], and the rate of theta there [rad/s].
    */
-  struct SpinePoint
+  struct GaitPoint
   {
     Point<2> place;
     double   turning_rate;
   };
 
   /** The spine at the places @p s between 0 and the gait's length [m], at @p time [s]. */
-  std::vector<SpinePoint> compute_spine_points(const Gait &gait, const std::vector<double> &s,
-                                               double time);
+  std::vector<GaitPoint> compute_gait_points(const Gait &gait, const std::vector<double> &s,
+                                             double time);
 
   /** A point of the reference shape in the body's frame, and the section that it lies in. */
   template <int dim>
