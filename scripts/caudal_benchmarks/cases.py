@@ -187,7 +187,7 @@ def evaluate_fsi1(runs):
     return (describe(ux, "ux [mm]", mean=(0.0227, 0.03))
             + describe(uy, "uy [mm]", mean=(0.8209, 0.03))
             + describe(Signal(run, DRAG), "drag [N/m]", mean=(14.295, 0.01))
-            + describe(Signal(run, LIFT, scale=10.), "lift [N/m]", mean=(0.7638, None))
+            + describe(Signal(run, LIFT, scale=10.), "lift [N/m]", mean=(0.7638, 0.01))
             + compare_force_accounts(run, "flag", "x"))
 
 

@@ -36,7 +36,7 @@ def make_engineers_table(names, values):
     for k, name in enumerate(names[1:], 1):
         cells = [0. if name.startswith(("turn", "radius")) and abs(row[k]) < ZERO else row[k]
                  for row in values]
-        rows.append([name_joint(name)] + [page.format_number(cell) for cell in cells])
+        rows.append([name] + [page.format_number(cell) for cell in cells])
     header = ["quantity"] + [f"{row[0]:g} " + page.make_element("small", "[Hz]") for row in values]
     return page.make_table(header, rows, "The whole fish, in three dimensions: nothing is per metre "
                                          "of span. Powers: mean over whole strokes; gross: of the "
@@ -77,20 +77,15 @@ def make_time_charts(frequencies, data):
     return charts
 
 
-def name_joint(text):
-    """Joints are called so everywhere, also where the program's tables say modes of deformation."""
-    return re.sub(r"\bof mode (\d+)", r"of joint \1", text)
-
-
 def make_torque_charts(frequencies, data):
     """The torques of the joints over the first strokes, which repeat themselves: a chart for each
     frequency."""
     charts = []
     for f, columns in zip(frequencies, data):
-        names = [name for name in columns if re.match(r"torque of mode \d+$", name)]
+        names = [name for name in columns if re.match(r"torque of (joint|mode) \d+$", name)]
         if names:
             shown = columns[columns["time"] <= N_STROKES / f]
-            curves = [make_curve(name.replace("torque of mode", "joint"), shown["time"], shown[name],
+            curves = [make_curve(name.removeprefix("torque of "), shown["time"], shown[name],
                                  style.LINES[i % 7]) for i, name in enumerate(names)]
             charts.append(make_chart(f"Torques of the joints at {f:g} Hz: the first strokes", TIME,
                                      "torque [N m]", curves, zero=True))

@@ -80,7 +80,7 @@ def draw_over_time(folder, cases, frequencies, title):
         axes[1, column].plot(time[first], 100 * data["speed"][first])
         axes[2, column].plot(time[first], data["kinetic energy"][first])
         for joint in range(1, 7):
-            axes[3, column].plot(time[first], data[f"torque of mode {joint}"][first], linewidth=0.9,
+            axes[3, column].plot(time[first], data[f"torque of joint {joint}"][first], linewidth=0.9,
                                  label=f"joint {joint}")
         for row in (1, 2, 3):
             axes[row, column].set_xlim(0, end)

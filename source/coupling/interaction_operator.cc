@@ -45,7 +45,7 @@ namespace caudal
     Assembler(const Coupling &coupling, const Fluid &fluid, const DoFHandler<dim> &body_dofs)
         : inhomogeneity(body_dofs.n_dofs())
         , coupling(coupling)
-        , finest_cells(fluid.finest_cells)
+        , cells(fluid.cells)
         , velocity_dofs(fluid.velocity_dofs)
         , constraints(fluid.constraints)
         , body_element(body_dofs.get_fe())
@@ -54,68 +54,28 @@ namespace caudal
         , n_nodes(body_element.n_dofs_per_cell() / dim)
         , n_s(element.n_dofs_per_cell() / dim)
         , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(2))
-        , cell_size(finest_cells.get_lattice().get_cell_size(
-              finest_cells.get_lattice().get_finest_level()))
-        , origin(finest_cells.get_lattice().get_lower_corner({}, 0))
+        , finest_level(cells.get_lattice().get_finest_level())
+        , origin(cells.get_lattice().get_lower_corner({}, 0))
         , indices(element.n_dofs_per_cell())
     {}
 
     /**
      * Adds a quadrature point; @p shape holds the values of the body's scalar
      * shape functions. Returns the part of the kernel's integral that this
-     * rank's cells of the finest level have seen.
+     * rank's cells, from the finest to the coarsest of these levels, have seen.
      */
-    double add_point(const Point<dim> &point, const double weight, const std::vector<double> &shape)
+    double add_point(const Point<dim> &point, const double weight, const std::vector<double> &shape,
+                     const unsigned int coarsest_level)
     {
       double seen = 0;
-      for (unsigned int k = 0; k < n_kernels; ++k)
-      {
-        std::array<LineWeights, dim> lines;
-        unsigned int                 n_cells = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          lines[d] = (k == d ? coupling.along : coupling.across)
-                         .evaluate((point[d] - origin[d]) / cell_size[d]);
-          n_cells *= lines[d].cells.size();
-        }
-        for (unsigned int c = 0; c < n_cells; ++c)
-        {
-          typename CellLattice<dim>::Coordinates coordinates;
-          const std::array<double, 3>           *factors[dim];
-          double                                 total = 1;
-          for (unsigned int d = 0, rest = c; d < dim; rest /= lines[d].cells.size(), ++d)
-          {
-            const unsigned int position = rest % lines[d].cells.size();
-            coordinates[d]              = lines[d].first_cell + position;
-            factors[d]                  = &lines[d].cells[position];
-            total *= lines[d].get_total(position);
-          }
-          if (std::abs(total) < 1e-14) // the kernel only touches this cell
-            continue;
-          Block &block = find_block(coordinates);
-          if (block.cell == nullptr)
-            continue;
-          seen += total / n_kernels;
-          double fluid_weights[27];
-          for (unsigned int s = 0; s < n_s; ++s)
-          {
-            fluid_weights[s] = weight;
-            for (unsigned int d = 0, rest = lexicographic[s]; d < dim; rest /= 3, ++d)
-              fluid_weights[s] *= (*factors[d])[rest % 3];
-          }
-          double *entry = block.values.data() + k * n_nodes * n_s;
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            for (unsigned int s = 0; s < n_s; ++s, ++entry)
-              *entry += shape[a] * fluid_weights[s];
-        }
-      }
+      for (unsigned int level = finest_level + 1; seen == 0 && level-- > coarsest_level;)
+        seen = add_point_on(level, point, weight, shape);
       return seen;
     }
-
     /** Ends a body cell: turns its blocks into entries, resolving the constraints. */
     void finish_cell(const std::vector<types::global_dof_index> &body_indices)
     {
-      for (const auto &[coordinates, block] : blocks)
+      for (const auto &[place, block] : blocks)
         if (block.cell != nullptr)
         {
           typename DoFHandler<dim>::active_cell_iterator(**block.cell, &velocity_dofs)
@@ -152,32 +112,83 @@ namespace caudal
   private:
     struct Block
     {
-      const typename FinestCells<dim>::Cell *cell;   // nullptr: not this rank's
+      const typename ActiveCells<dim>::Cell *cell;   // nullptr: not this rank's
       std::vector<double>                    values; // [kernel][body node][fluid node]
     };
 
     const Coupling                      &coupling;
-    const FinestCells<dim>              &finest_cells;
+    const ActiveCells<dim>              &cells;
     const DoFHandler<dim>               &velocity_dofs;
     const AffineConstraints<double>     &constraints;
     const FiniteElement<dim>            &body_element;
     const FiniteElement<dim>            &element;
     const unsigned int                   n_kernels, n_nodes, n_s;
     const std::vector<unsigned int>      lexicographic;
-    const Tensor<1, dim>                 cell_size;
+    const unsigned int                   finest_level;
     const Point<dim>                     origin;
     std::vector<types::global_dof_index> indices;
 
-    std::map<typename CellLattice<dim>::Coordinates, Block> blocks;
+    std::map<std::pair<unsigned int, typename CellLattice<dim>::Coordinates>, Block> blocks;
 
-    Block &find_block(const typename CellLattice<dim>::Coordinates &coordinates)
+    double add_point_on(const unsigned int level, const Point<dim> &point, const double weight,
+                        const std::vector<double> &shape)
     {
-      const auto block = blocks.find(coordinates);
+      const Tensor<1, dim> cell_size = cells.get_lattice().get_cell_size(level);
+      double               seen      = 0;
+      for (unsigned int k = 0; k < n_kernels; ++k)
+      {
+        std::array<LineWeights, dim> lines;
+        unsigned int                 n_cells = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          lines[d] = (k == d ? coupling.along : coupling.across)
+                         .evaluate((point[d] - origin[d]) / cell_size[d]);
+          n_cells *= lines[d].cells.size();
+        }
+        for (unsigned int c = 0; c < n_cells; ++c)
+        {
+          typename CellLattice<dim>::Coordinates coordinates;
+          const std::array<double, 3>           *factors[dim];
+          double                                 total = 1;
+          for (unsigned int d = 0, rest = c; d < dim; rest /= lines[d].cells.size(), ++d)
+          {
+            const unsigned int position = rest % lines[d].cells.size();
+            coordinates[d]              = lines[d].first_cell + position;
+            factors[d]                  = &lines[d].cells[position];
+            total *= lines[d].get_total(position);
+          }
+          if (std::abs(total) < 1e-14) // the kernel only touches this cell
+            continue;
+          Block &block = find_block(coordinates, level);
+          if (block.cell == nullptr)
+            continue;
+          seen += total / n_kernels;
+          double fluid_weights[27];
+          for (unsigned int s = 0; s < n_s; ++s)
+          {
+            fluid_weights[s] = weight;
+            for (unsigned int d = 0, rest = lexicographic[s]; d < dim; rest /= 3, ++d)
+              fluid_weights[s] *= (*factors[d])[rest % 3];
+          }
+          double *entry = block.values.data() + k * n_nodes * n_s;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int s = 0; s < n_s; ++s, ++entry)
+              *entry += shape[a] * fluid_weights[s];
+        }
+      }
+      return seen;
+    }
+
+    Block &find_block(const typename CellLattice<dim>::Coordinates &coordinates,
+                      const unsigned int                            level)
+    {
+      const auto block = blocks.find({level, coordinates});
       if (block != blocks.end())
         return block->second;
-      const auto        *cell = finest_cells.find(coordinates);
+      const auto        *cell = cells.find(coordinates, level);
       const unsigned int size = cell == nullptr ? 0 : n_kernels * n_nodes * n_s;
-      return blocks.emplace(coordinates, Block{cell, std::vector<double>(size)}).first->second;
+      return blocks.insert({{level, coordinates}, Block{cell, std::vector<double>(size)}})
+          .first->second;
     }
   };
 
@@ -235,28 +246,30 @@ namespace caudal
 
   template <int dim>
   InteractionOperator<dim>::InteractionOperator(const Coupling &coupling, const Fluid &fluid,
-                                                const DoFHandler<dim> &body_dofs,
-                                                const Vector<double>  &positions,
-                                                const double           surface_weight,
-                                                const std::string     &name)
+                                                const Body &body)
       : partitioner(fluid.partitioner)
   {
-    const CellLattice<dim> &lattice = fluid.finest_cells.get_lattice();
-    const double            spacing =
-        0.5 * lattice.get_cell_size(lattice.get_finest_level()).norm() / std::sqrt(dim);
+    const CellLattice<dim> &lattice = fluid.cells.get_lattice();
+    const unsigned int      finest  = lattice.get_finest_level();
+    const double            spacing = 0.5 * lattice.get_cell_size(finest).norm() / std::sqrt(dim);
 
-    Assembler           assembler(coupling, fluid, body_dofs);
-    DeformedCell<dim>   body_cell(body_dofs, positions, spacing / coupling.quadrature_density,
-                                  surface_weight);
+    Assembler           assembler(coupling, fluid, body.dofs);
+    DeformedCell<dim>   body_cell(body.dofs, body.positions, spacing / coupling.quadrature_density,
+                                  body.surface_weight);
     const double        margin = coupling.get_support() + 0.1; // round-off decides about touching
     std::vector<double> seen;                                  // of the kernel around each point
-    for (const auto &cell : body_dofs.active_cell_iterators())
+    for (const auto &cell : body.dofs.active_cell_iterators())
     {
       body_cell.reinit(cell);
-      if (fluid.finest_cells.meet(body_cell.get_box(), margin))
+      const bool is_interior = !body.interior.empty() && body.interior[cell->active_cell_index()];
+      const unsigned int coarsest = is_interior ? fluid.cells.get_coarsest_level() : finest;
+      bool               meets    = false;
+      for (unsigned int level = coarsest; level <= finest; ++level)
+        meets = meets || fluid.cells.meet(body_cell.get_box(), margin, level);
+      if (meets)
       {
         body_cell.for_each_point([&](const auto &point, const double weight, const auto &shape) {
-          seen.push_back(assembler.add_point(point, weight, shape));
+          seen.push_back(assembler.add_point(point, weight, shape, coarsest));
         });
         assembler.finish_cell(body_cell.get_indices());
       }
@@ -269,12 +282,12 @@ namespace caudal
     const auto first_not_covered = std::find_if(
         seen.begin(), seen.end(), [](const double part) { return !(std::abs(part - 1) < 1e-8); });
     if (first_not_covered != seen.end())
-      throw_not_covered(lattice, find_point(body_cell, body_dofs, first_not_covered - seen.begin()),
-                        name);
+      throw_not_covered(lattice, find_point(body_cell, body.dofs, first_not_covered - seen.begin()),
+                        body.name);
     n_quadrature_points = seen.size();
     inhomogeneity       = assembler.inhomogeneity;
     Utilities::MPI::sum(inhomogeneity, communicator, inhomogeneity);
-    compress(assembler.entries, body_dofs.n_dofs(), name);
+    compress(assembler.entries, body.dofs.n_dofs(), body.name);
   }
 
   template <int dim>

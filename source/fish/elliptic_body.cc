@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/fish/elliptic_body.h>
+#include <caudal/fish/graded_grid.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_generator.h>
@@ -212,13 +213,60 @@ namespace caudal
         }
       return sides;
     }
+
+    /**
+     * The outline of the half-widths of a body, as a fraction of its length. Its round tail is cut
+     * off where it is @p cut thick, so that a column of elements ends in an edge, and the rest
+     * stretched to the whole length.
+     */
+    class EllipticOutline : public Outline
+    {
+    public:
+      EllipticOutline(const StraightBody &body, const double cut)
+          : body(body)
+          , end(find_zero(
+                [&](const double s) {
+                  return 2. * body.half_width(s * body.get_length()) / body.get_length() - cut;
+                },
+                0.5, 1.))
+      {}
+
+      double half_thickness(const double s) const override
+      {
+        return body.half_width(s * end * body.get_length()) / body.get_length();
+      }
+
+    private:
+      const StraightBody &body;
+      const double        end; // of the outline on the body
+    };
+
+    /**
+     * The graded grid of a plane body of which the tail, and not the middle, is one element
+     * across; false if it is not so, which leaves @p tria empty.
+     */
+    bool make_slender_grid(const StraightBody &body, const GridDivisions &divisions,
+                           const std::string &path, Triangulation<2> &tria)
+    {
+      const double length = body.get_length(), size = divisions.spacing / length;
+      if (size > 0.1 || body.half_width(0.5 * length) < divisions.spacing ||
+          2. * body.half_width((1. - size) * length) > 1.7 * divisions.spacing)
+        return false;
+      const double cut = std::min(0.4 * size, body.half_width((1. - size) * length) / length);
+      make_graded_grid(EllipticOutline(body, cut), size, divisions.region_boundaries, path, tria);
+      GridTools::scale(length, tria);
+      return true;
+    }
   } // namespace
 
   template <int dim>
   void EllipticShape<dim>::make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
-                                     const std::string &, Triangulation<dim>          &tria) const
+                                     const std::string &path, Triangulation<dim> &tria) const
   {
-    const auto                body = this->make_straight_body(lengths);
+    const auto body = this->make_straight_body(lengths);
+    if constexpr (dim == 2)
+      if (divisions.is_automatic() && make_slender_grid(*body, divisions, path, tria))
+        return;
     std::vector<unsigned int> core = divisions.get_elements(get_sides<dim>(*body));
     for (unsigned int d = 1; d < dim; ++d)
       core[d] = std::max(3u, core[d]);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/fish/elliptic_body.h>
 #include <caudal/fish/number_table.h>
 #include <caudal/fish/spline.h>
@@ -62,6 +63,10 @@ namespace caudal
                           "Rows `s/L, a, b` separated by ';': position along the spine from the "
                           "nose (0 < s/L < 1 [1]), half-width and half-height [m].",
                           Patterns::Anything());
+        prm.add_parameter("Table length", table_length,
+                          "Length of the fish that has these half-axes [m]: those of a fish of "
+                          "another Shape/Length are in proportion. 0: they are as given, whatever "
+                          "the length.");
         prm.add_parameter("File", file,
                           "A text file with these rows, instead of them; a row of names may come "
                           "first.",
@@ -75,6 +80,8 @@ namespace caudal
 
       void check(const std::string &path) const override
       {
+        check_not_negative(path + "/Table length", table_length,
+                           "Give the length of the fish that was measured [m], or 0.");
         read(path, 1.);
       }
 
@@ -121,11 +128,13 @@ namespace caudal
           AssertThrow(a > 0. && b > 0.,
                       complain("has the half-axes " + Patterns::Tools::to_string(a) + " and " +
                                Patterns::Tools::to_string(b) + " m. Give positive ones."));
-          stations.push_back({s * length, a, b});
+          const double scale = table_length > 0. ? length / table_length : 1.;
+          stations.push_back({s * length, scale * a, scale * b});
         }
         return stations;
       }
 
+      double      table_length = 0.;
       std::string table, file;
       std::string interpolation = "limited";
     };

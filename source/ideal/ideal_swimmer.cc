@@ -122,8 +122,8 @@ namespace caudal
                      swim_state.has_begun() ? swim_state.last.time : -1.);
     SurfaceOutput surface(swimming_shape, model, output.fields, get_block_name(suffix),
                           parameters.output.n_subdivisions);
-    Swim swim(problem, instants, the_case.get_torques() != Torques::none, parameters.output, table,
-              surface, swim_state);
+    Swim          swim(problem, instants, *the_case.gait, the_case.get_torques() != Torques::none,
+                       parameters.output, table, surface, swim_state);
     if (!swim_state.has_begun())
       swim.start(parameters.body.get_impulse());
 
@@ -167,6 +167,7 @@ namespace caudal
     {
       const double frequency = the_case.gait->get_frequencies()[k];
       SwimSummary  summary(state.swims[k]);
+      summary.coordinate  = the_case.gait->get_coordinate_name();
       summary.frequency   = the_case.has_strokes() ? frequency : 0.;
       summary.length      = the_case.deformation->get_length();
       summary.mass        = the_case.compute_mass();

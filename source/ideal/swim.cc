@@ -12,17 +12,17 @@ namespace caudal
   {
     const double tolerance = 1e-9; // relative to the end: times that differ by rounding are one
 
-    void write_row(Statistics &table, const SwimState &swim)
+    void write_row(Statistics &table, const SwimState &swim, const std::string &coordinate)
     {
       const auto set_vector = [&table](const std::string &quantity, const std::string &unit,
                                        const Tensor<1, 3> &vector) {
         for (unsigned int d = 0; d < 3; ++d)
           table.set(std::string(1, "xyz"[d]) + " of " + quantity, unit, vector[d]);
       };
-      const auto set_modes = [&table](const std::string &quantity, const std::string &unit,
-                                      const std::vector<double> &values) {
+      const auto set_all = [&](const std::string &quantity, const std::string &unit,
+                               const std::vector<double> &values) {
         for (std::size_t i = 0; i < values.size(); ++i)
-          table.set(quantity + " of mode " + std::to_string(i + 1), unit, values[i]);
+          table.set(quantity + " of " + coordinate + " " + std::to_string(i + 1), unit, values[i]);
       };
       const MotionSample &sample = swim.last;
       table.set("time", "s", sample.time);
@@ -38,9 +38,9 @@ namespace caudal
       set_vector("angular impulse in body frame", "kg m^2/s", get_angular(sample.body.impulse));
       set_vector("linear impulse in body frame", "kg m/s", get_linear(sample.body.impulse));
       table.set("kinetic energy", "J", sample.energy);
-      set_modes("coordinate", "rad", sample.coordinates);
-      set_modes("torque", "N m", sample.torques);
-      set_modes("power", "W", sample.powers);
+      set_all("coordinate", "rad", sample.coordinates);
+      set_all("torque", "N m", sample.torques);
+      set_all("power", "W", sample.powers);
       if (!sample.powers.empty())
         table.set("power", "W", sample.get_power());
       table.write_row();
@@ -68,11 +68,12 @@ namespace caudal
     }
   }
 
-  Swim::Swim(const MotionProblem &problem, const Instants &instants, const bool has_torques,
-             const OutputParameters &output, Statistics &table, SurfaceOutput &surface,
-             SwimState &state)
+  Swim::Swim(const MotionProblem &problem, const Instants &instants, const Gait &gait,
+             const bool has_torques, const OutputParameters &output, Statistics &table,
+             SurfaceOutput &surface, SwimState &state)
       : problem(problem)
       , instants(instants)
+      , gait(gait)
       , has_torques(has_torques)
       , output(output)
       , table(table)
@@ -123,7 +124,7 @@ namespace caudal
   void Swim::write()
   {
     if (state.n_output_times % output.statistics_interval == 0)
-      write_row(table, state);
+      write_row(table, state, gait.get_coordinate_name());
     ++state.n_output_times;
     const double end      = instants.times.back();
     const auto   has_come = [&](const double time) {

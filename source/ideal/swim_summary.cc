@@ -3,7 +3,9 @@
 #include <caudal/ideal/swim_summary.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace caudal
@@ -47,7 +49,14 @@ namespace caudal
       double      value;
     };
 
-    std::vector<Quantity> get_quantities(const SwimSummary &summary)
+    bool has_strokes(const std::vector<SwimSummary> &summaries)
+    {
+      return std::any_of(summaries.begin(), summaries.end(),
+                         [](const SwimSummary &summary) { return summary.n_strokes > 0; });
+    }
+
+    /** With @p strokes also what only whole strokes have; it is no number where there are none. */
+    std::vector<Quantity> get_quantities(const SwimSummary &summary, const bool strokes)
     {
       const double          speed = summary.distance / summary.duration;
       std::vector<Quantity> quantities{
@@ -57,16 +66,19 @@ namespace caudal
           {"mean speed", "cm/s", 100. * speed},
           {"mean speed in body lengths", "1/s", speed / summary.length},
       };
-      if (summary.n_strokes > 0)
+      if (strokes)
       {
+        const double unknown =
+            summary.n_strokes > 0 ? 0. : std::numeric_limits<double>::quiet_NaN();
         // On which the centre of mass stands at the ends of the strokes.
         const double radius = std::abs(summary.turn) > 1e-6
                                   ? std::abs(0.5 * summary.stroke / std::sin(0.5 * summary.turn))
                                   : 0.;
         quantities.push_back({"whole strokes", "1", static_cast<double>(summary.n_strokes)});
-        quantities.push_back({"displacement a stroke", "cm", 100. * summary.stroke});
-        quantities.push_back({"turn a stroke", "degrees", summary.turn * 180. / numbers::PI});
-        quantities.push_back({"radius of the circle (0: straight)", "cm", 100. * radius});
+        quantities.push_back({"displacement a stroke", "cm", 100. * summary.stroke + unknown});
+        quantities.push_back(
+            {"turn a stroke", "degrees", summary.turn * 180. / numbers::PI + unknown});
+        quantities.push_back({"radius of the circle (0: straight)", "cm", 100. * radius + unknown});
       }
       quantities.push_back({"mean kinetic energy", "J", summary.energy.mean_energy()});
       quantities.push_back({"largest kinetic energy", "J", summary.energy.largest_energy});
@@ -78,8 +90,9 @@ namespace caudal
         quantities.push_back({"cost of transport", "J/(kg m)",
                               summary.distance > 0. ? gross / (summary.mass * speed) : 0.});
         for (std::size_t i = 0; i < summary.energy.largest_torques.size(); ++i)
-          quantities.push_back({"largest torque of mode " + std::to_string(i + 1), "N m",
-                                summary.energy.largest_torques[i]});
+          quantities.push_back(
+              {"largest torque of " + summary.coordinate + " " + std::to_string(i + 1), "N m",
+               summary.energy.largest_torques[i]});
       }
       return quantities;
     }
@@ -90,13 +103,16 @@ namespace caudal
     std::ostringstream                 out;
     std::vector<std::vector<Quantity>> columns;
     for (const SwimSummary &summary : summaries)
-      columns.push_back(get_quantities(summary));
+      columns.push_back(get_quantities(summary, has_strokes(summaries)));
     for (std::size_t k = 0; k < columns[0].size(); ++k)
     {
       const Quantity &quantity = columns[0][k];
       out << std::left << std::setw(46) << quantity.name + " [" + quantity.unit + "]" << std::right;
       for (const auto &column : columns)
-        out << std::setw(14) << std::setprecision(6) << column[k].value;
+        if (std::isfinite(column[k].value))
+          out << std::setw(14) << std::setprecision(6) << column[k].value;
+        else
+          out << std::setw(14) << "-";
       out << '\n';
     }
     out << '\n' << get_ideal_fluid_statement();
@@ -110,11 +126,13 @@ namespace caudal
     for (const SwimSummary &summary : summaries)
     {
       const char *separator = "";
-      for (const Quantity &quantity : get_quantities(summary))
+      for (const Quantity &quantity : get_quantities(summary, has_strokes(summaries)))
       {
         if (&summary == &summaries[0])
           header << separator << quantity.name << " [" << quantity.unit << "]";
-        rows << separator << quantity.value;
+        rows << separator;
+        if (std::isfinite(quantity.value))
+          rows << quantity.value;
         separator = ",";
       }
       rows << '\n';
@@ -131,12 +149,12 @@ namespace caudal
     statement.pop_back();
     std::replace(statement.begin(), statement.end(), '\n', ' ');
     Json quantities = Json::object(), swims = Json::array();
-    for (const Quantity &quantity : get_quantities(summaries[0]))
+    for (const Quantity &quantity : get_quantities(summaries[0], has_strokes(summaries)))
       quantities.add(quantity.name, Json::object().add("unit", quantity.unit));
     for (const SwimSummary &summary : summaries)
     {
       Json swim = Json::object();
-      for (const Quantity &quantity : get_quantities(summary))
+      for (const Quantity &quantity : get_quantities(summary, has_strokes(summaries)))
         swim.add(quantity.name, quantity.value);
       swims.append(swim);
     }

@@ -114,7 +114,8 @@ namespace caudal
                       "hdf5: open solution.xdmf.",
                       Patterns::Selection("vtu|hdf5"));
     prm.add_parameter("Subdivisions", n_subdivisions,
-                      "Each cell is drawn as this many cells in each direction [1].",
+                      "Each cell of the fluid is drawn as this many cells in each direction: its "
+                      "velocity is quadratic [1].",
                       Patterns::Integer(1, 8));
     prm.leave_subsection();
   }

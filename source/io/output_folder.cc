@@ -3,6 +3,7 @@
 #include <caudal/base/safe_file.h>
 #include <caudal/io/checkpoints.h>
 #include <caudal/io/output_folder.h>
+#include <caudal/io/statistics.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -306,8 +307,12 @@ namespace caudal
         catch_file_error([&]() { manifest->set_progress(Progress::failed); });
       throw;
     }
-    if (outcome == Outcome::finished)
-      run_on_root(communicator, [&]() { manifest->set_progress(Progress::finished); });
+    run_on_root(communicator, [&]() {
+      for (const std::string &table : tables)
+        write_csv(path(table), add(fs::path(table).replace_extension(".csv")));
+      if (outcome == Outcome::finished)
+        manifest->set_progress(Progress::finished);
+    });
     return outcome;
   }
 

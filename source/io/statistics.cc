@@ -30,6 +30,24 @@ namespace caudal
     }
   } // namespace
 
+  void write_csv(const std::string &table, const std::string &csv)
+  {
+    std::istringstream lines(read_whole_file(table));
+    std::string        header, rows;
+    for (std::string line; std::getline(lines, line);)
+      if (line.rfind("# ", 0) == 0)
+        header += (header.empty() ? "" : ",") + line.substr(line.find(": ") + 2);
+      else
+      {
+        std::istringstream words(line);
+        const char        *separator = "";
+        for (std::string word; words >> word; separator = ",")
+          rows += separator + word;
+        rows += '\n';
+      }
+    replace_file(csv, header + "\n" + rows);
+  }
+
   Statistics::Statistics(const std::string &name, const double kept_time)
       : file_name(name)
   {

@@ -59,10 +59,10 @@ namespace caudal
   {}
 
   template <int dim>
-  void CellSet<dim>::add(const std::vector<BoundingBox<dim>> &boxes, const double margin)
+  void CellSet<dim>::add(const std::vector<BoundingBox<dim>> &boxes, const double margin,
+                         const unsigned int finest)
   {
-    const unsigned int   finest = lattice.get_finest_level();
-    const Tensor<1, dim> slack  = margin * lattice.get_cell_size(finest);
+    const Tensor<1, dim> slack = margin * lattice.get_cell_size(finest);
     for (const BoundingBox<dim> &box : boxes)
     {
       const auto &[lower, upper] = box.get_boundary_points();
@@ -87,6 +87,22 @@ namespace caudal
   }
 
   template <int dim>
+  bool CellSet<dim>::contains_finer(const Point<dim> &cell_center, const unsigned int level) const
+  {
+    if (!contains(cell_center, level))
+      return false;
+    const Coordinates parent = lattice.get_coordinates(cell_center, level);
+    Coordinates       first, last;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      first[d] = 2 * parent[d];
+      last[d]  = first[d] + 1;
+    }
+    return any_cell_between(first, last,
+                            [&](const auto &child) { return cells[level + 1].count(child) > 0; });
+  }
+
+  template <int dim>
   bool
   CellSet<dim>::is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const
   {
@@ -100,44 +116,53 @@ namespace caudal
   }
 
   template <int dim>
-  FinestCells<dim>::FinestCells(const CellLattice<dim>   &lattice,
-                                const Triangulation<dim> &triangulation)
+  ActiveCells<dim>::ActiveCells(const CellLattice<dim>   &lattice,
+                                const Triangulation<dim> &triangulation,
+                                const unsigned int        coarsest_level)
       : lattice(lattice)
+      , coarsest_level(coarsest_level)
+      , levels(lattice.get_finest_level() + 1 - coarsest_level)
   {
-    lowest.fill(std::numeric_limits<int>::max());
-    highest.fill(std::numeric_limits<int>::lowest());
-    const unsigned int finest = lattice.get_finest_level();
-    if (triangulation.n_levels() > finest)
-      for (const auto &cell : triangulation.active_cell_iterators_on_level(finest))
+    for (unsigned int l = coarsest_level; l <= lattice.get_finest_level(); ++l)
+    {
+      Level &level = levels[l - coarsest_level];
+      level.lowest.fill(std::numeric_limits<int>::max());
+      level.highest.fill(std::numeric_limits<int>::lowest());
+      if (l >= triangulation.n_levels())
+        continue;
+      for (const auto &cell : triangulation.active_cell_iterators_on_level(l))
         if (cell->is_locally_owned())
         {
-          const auto coordinates = lattice.get_coordinates(cell->center(), finest);
-          cells.emplace(coordinates, cell);
+          const auto coordinates = lattice.get_coordinates(cell->center(), l);
+          level.cells.emplace(coordinates, cell);
           for (unsigned int d = 0; d < dim; ++d)
           {
-            lowest[d]  = std::min(lowest[d], coordinates[d]);
-            highest[d] = std::max(highest[d], coordinates[d]);
+            level.lowest[d]  = std::min(level.lowest[d], coordinates[d]);
+            level.highest[d] = std::max(level.highest[d], coordinates[d]);
           }
         }
+    }
   }
 
   template <int dim>
-  const typename FinestCells<dim>::Cell *
-  FinestCells<dim>::find(const Coordinates &coordinates) const
+  const typename ActiveCells<dim>::Cell *ActiveCells<dim>::find(const Coordinates &coordinates,
+                                                                const unsigned int level) const
   {
-    const unsigned int finest  = lattice.get_finest_level();
-    const Coordinates  wrapped = lattice.wrap(coordinates, finest);
-    const auto entry = lattice.is_inside(wrapped, finest) ? cells.find(wrapped) : cells.end();
+    const auto       &cells   = levels[level - coarsest_level].cells;
+    const Coordinates wrapped = lattice.wrap(coordinates, level);
+    const auto        entry = lattice.is_inside(wrapped, level) ? cells.find(wrapped) : cells.end();
     return entry == cells.end() ? nullptr : &entry->second;
   }
 
   template <int dim>
-  bool FinestCells<dim>::meet(const BoundingBox<dim> &box, const double margin) const
+  bool ActiveCells<dim>::meet(const BoundingBox<dim> &box, const double margin,
+                              const unsigned int level) const
   {
-    const unsigned int   finest = lattice.get_finest_level();
-    const Tensor<1, dim> size   = lattice.get_cell_size(finest);
-    const Point<dim>     origin = lattice.get_lower_corner({}, finest);
-    const auto &[lower, upper]  = box.get_boundary_points();
+    const Coordinates   &lowest  = levels[level - coarsest_level].lowest;
+    const Coordinates   &highest = levels[level - coarsest_level].highest;
+    const Tensor<1, dim> size    = lattice.get_cell_size(level);
+    const Point<dim>     origin  = lattice.get_lower_corner({}, level);
+    const auto &[lower, upper]   = box.get_boundary_points();
     Coordinates first, last;
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -147,7 +172,7 @@ namespace caudal
       if (lattice.is_periodic(d))
       {
         // A box as long as the period meets all cells.
-        const int  n        = lattice.get_number_of_cells(d, finest);
+        const int  n        = lattice.get_number_of_cells(d, level);
         const bool is_short = end - begin < n && std::abs(begin) < 1e9;
         first[d]            = is_short ? begin : 0;
         last[d]             = is_short ? end : n - 1;
@@ -158,13 +183,14 @@ namespace caudal
       first[d] = std::max<double>(begin, lowest[d]);
       last[d]  = std::min<double>(end, highest[d]);
     }
-    return any_cell_between(first, last, [&](const auto &cell) { return find(cell) != nullptr; });
+    return any_cell_between(first, last,
+                            [&](const auto &cell) { return find(cell, level) != nullptr; });
   }
 
   template class CellLattice<2>;
   template class CellLattice<3>;
   template class CellSet<2>;
   template class CellSet<3>;
-  template class FinestCells<2>;
-  template class FinestCells<3>;
+  template class ActiveCells<2>;
+  template class ActiveCells<3>;
 } // namespace caudal

@@ -18,6 +18,12 @@ namespace caudal
     prm.add_parameter(
         "Body margin", body_margin,
         "Cells of the finest level around the bodies beyond the support of the kernel [1].");
+    prm.add_parameter(
+        "Interior levels", interior_levels,
+        "The number of levels, counted like Domain/Levels, that the grid has at least "
+        "inside of bodies, three cells and more below their surfaces; 0: all. Rigid "
+        "bodies need no fine cells there. Needs the kernel dirac [1].",
+        Patterns::Integer(0));
     prm.add_parameter("Vorticity threshold", vorticity_threshold,
                       "Refine where h |vorticity| is larger, h the cell's edge; coarsen below an "
                       "eighth of it [m/s]. 0 switches it off.");
@@ -41,6 +47,9 @@ namespace caudal
   {
     check_positive("Refinement/Interval", interval, "Give 1 step or more.");
     check_between("Refinement/Body margin", body_margin, 0, 100, "Give 0 to 100 cells.");
+    check_value(interior_levels <= levels, "Refinement/Interior levels", interior_levels,
+                "Give at most Domain/Levels = " + std::to_string(levels) +
+                    ", or 0 for all levels.");
     check_not_negative("Refinement/Vorticity threshold", vorticity_threshold,
                        "Give 0 (off) or a positive number [m/s].");
     check_value(vorticity_levels <= levels, "Refinement/Vorticity levels", vorticity_levels,
@@ -103,7 +112,7 @@ namespace caudal
       bool needs_refinement(const Cell &cell) const
       {
         const int level = cell->level();
-        return level < finest && (body_cells.contains(cell->center(), level) ||
+        return level < finest && (body_cells.contains_finer(cell->center(), level) ||
                                   level < wanted_levels[cell->active_cell_index()] ||
                                   (uses_vorticity && level < finest_vorticity &&
                                    indicator[cell->active_cell_index()] > refinement_threshold));

@@ -53,7 +53,8 @@ namespace caudal
     prm.add_parameter("Length", lengths.length,
                       "Length along the axis [m]: chord of naca, length of eel, stations, beam and "
                       "rectangle, full axis of ellipse, part of the flag that sticks out of the "
-                      "cylinder.",
+                      "cylinder. The half-axes of stations grow with it if their Table length is "
+                      "given.",
                       Patterns::Double());
     prm.add_parameter("Thickness", lengths.thickness,
                       "Extent across the axis [m]: height of beam, rectangle and flag, full second "

@@ -5,6 +5,7 @@
 #include <caudal/base/safe_file.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -126,26 +127,28 @@ namespace caudal
       write_files();
       return;
     }
-    std::filesystem::remove(file);
-    std::filesystem::remove(get_json_file());
+    for (const std::string ending : {".txt", ".json", ".csv"})
+      std::filesystem::remove(get_file(ending));
   }
 
-  std::string SwimReport::get_json_file() const
+  std::string SwimReport::get_file(const std::string &ending) const
   {
-    return file.substr(0, file.rfind('.')) + ".json";
+    return file.substr(0, file.rfind('.')) + ending;
   }
 
   void SwimReport::write_files() const
   {
     if (file.empty())
       return;
-    std::ostringstream table, json;
+    std::ostringstream table, json, csv;
     write_header(table, in_file);
     for (std::size_t beat = 0; beat < beats.size(); ++beat)
       write_row(table, in_file, beat);
     replace_file(file, table.str());
     write_json(json);
-    replace_file(get_json_file(), json.str());
+    replace_file(get_file(".json"), json.str());
+    write_csv(csv);
+    replace_file(get_file(".csv"), csv.str());
   }
 
   /** What stands in front of the rows: the definitions of the columns and their titles. */
@@ -172,6 +175,26 @@ namespace caudal
       out << ' ' << std::setw(width - 1) << std::setprecision(quantity.precision)
           << beats[beat].*quantity.value;
     out << std::defaultfloat << std::setprecision(6) << '\n';
+  }
+
+  /** A row for each beat, after one of names and units; blank where there is no number. */
+  void SwimReport::write_csv(std::ostream &out) const
+  {
+    out << "beat";
+    for (const TailBeatQuantity &quantity : in_file)
+      out << ',' << quantity.name << (quantity.unit.empty() ? "" : " [" + quantity.unit + "]");
+    out << std::setprecision(10);
+    for (std::size_t beat = 0; beat < beats.size(); ++beat)
+    {
+      out << '\n' << beat + 1;
+      for (const TailBeatQuantity &quantity : in_file)
+      {
+        out << ',';
+        if (std::isfinite(beats[beat].*quantity.value))
+          out << beats[beat].*quantity.value;
+      }
+    }
+    out << '\n';
   }
 
   /**

@@ -55,7 +55,8 @@ namespace caudal
       reports.emplace_back();
       if (!body.swims())
         continue;
-      context.folder.add(file.substr(0, file.rfind('.')) + ".json");
+      for (const std::string ending : {".json", ".csv"})
+        context.folder.add(file.substr(0, file.rfind('.')) + ending);
       const std::string path = context.folder.add(file);
       reports.back().emplace(swimmer, context.log, is_root ? path : "");
     }

@@ -21,8 +21,17 @@ namespace caudal
                                  const std::vector<BodyState> &states, const Frame &frame,
                                  const double margin)
     {
-      CellSet<dim> cells(operators.lattice);
-      const double reach = operators.coupling.get_support() + margin;
+      CellSet<dim>       cells(operators.lattice);
+      const double       reach  = operators.coupling.get_support() + margin;
+      const unsigned int finest = operators.lattice.get_finest_level();
+      const auto         add    = [&](const std::vector<BoundingBox<dim>> &boxes,
+                           const std::vector<bool>             &interior) {
+        std::vector<BoundingBox<dim>> at_surface, deep;
+        for (unsigned int c = 0; c < boxes.size(); ++c)
+          (!interior.empty() && interior[c] ? deep : at_surface).push_back(boxes[c]);
+        cells.add(at_surface, reach, finest);
+        cells.add(deep, 0, operators.parameters.refinement.get_interior_level(finest));
+      };
       for (unsigned int b = 0; b < states.size(); ++b)
       {
         // Where the body is now and where it will be in a step or two.
@@ -30,8 +39,8 @@ namespace caudal
         const Vector<double>  now   = place_on_grid(solid, states[b].positions, frame.origin);
         Vector<double>        next(now);
         next.sadd(2, -1, place_on_grid(solid, states[b].old_positions, frame.old_origin));
-        cells.add(solid.compute_cell_boxes(now), reach);
-        cells.add(solid.compute_cell_boxes(next), reach);
+        add(solid.compute_cell_boxes(now), operators.interiors[b]);
+        add(solid.compute_cell_boxes(next), operators.interiors[b]);
       }
       return cells;
     }

@@ -15,7 +15,7 @@ namespace caudal
   namespace
   {
     // Bytes for a cell of the fluid in compressed .vtu files and in checkpoints, of prm/fish.prm.
-    constexpr double bytes_of_fields = 95, bytes_of_checkpoint = 550;
+    constexpr double bytes_of_point = 24, bytes_of_checkpoint = 550;
     constexpr double mebibyte = 1024. * 1024.;
 
     // How the cost of a step grows with the number of cells.
@@ -199,6 +199,8 @@ namespace caudal
     const double n_outputs = parameters.output.field_interval > 0
                                  ? parameters.time.end_time / parameters.output.field_interval
                                  : n_steps;
+    const double bytes_of_fields =
+        bytes_of_point * std::pow(parameters.output.n_subdivisions + 1., dim);
     out << "Disk: up to " << print_rounded((n_outputs + 1) * cells * bytes_of_fields / mebibyte)
         << " MiB for fields at " << std::floor(n_outputs + 1) << " times, "
         << print_rounded(parameters.checkpoint.n_slots * cells * bytes_of_checkpoint / mebibyte)

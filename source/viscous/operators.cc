@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/mesh/domain.h>
+#include <caudal/solid/interior.h>
 #include <caudal/viscous/operators.h>
 #include <caudal/viscous/size_check.h>
 
@@ -19,6 +20,19 @@ namespace caudal
       check_fluid_size(parameters, bodies, communicator);
       return bodies;
     }
+
+    template <int dim>
+    std::vector<std::vector<bool>> find_interiors(const RunParameters<dim> &parameters,
+                                                  const Bodies<dim>        &bodies)
+    {
+      std::vector<std::vector<bool>> interiors(bodies.size());
+      if (parameters.refinement.interior_levels > 0)
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          interiors[b] =
+              find_interior(bodies[b]->get_solid(), RefinementParameters::interior_depth *
+                                                        parameters.domain.get_finest_cell());
+      return interiors;
+    }
   } // namespace
 
   template <int dim>
@@ -28,6 +42,7 @@ namespace caudal
       , lattice(parameters.domain)
       , coupling(parameters.coupling)
       , bodies(make_bodies(parameters, communicator))
+      , interiors(find_interiors(parameters, bodies))
       , scales(estimate_scales(parameters, bodies))
       , triangulation(communicator)
       , space(triangulation, parameters.domain, parameters.fluid,
@@ -52,7 +67,9 @@ namespace caudal
     space.reinit();
     momentum.reinit();
     solver.reinit();
-    finest_cells = std::make_unique<FinestCells<dim>>(lattice, triangulation);
+    cells = std::make_unique<ActiveCells<dim>>(
+        lattice, triangulation,
+        parameters.refinement.get_interior_level(lattice.get_finest_level()));
   }
 
   template <int dim>
@@ -62,12 +79,11 @@ namespace caudal
   {
     TimerOutput::Scope    timer_section(timer, "interaction operator");
     const SolidBody<dim> &solid = bodies[b]->get_solid();
-    return InteractionOperator<dim>(coupling,
-                                    {*finest_cells, space.velocity_dofs,
-                                     space.get_constraints(instant), space.get_velocity_layout()},
-                                    solid.get_dof_handler(),
-                                    place_on_grid(solid, x, instant.origin),
-                                    solid.get_parameters().get_surface_weight(), solid.get_name());
+    return InteractionOperator<dim>(
+        coupling,
+        {*cells, space.velocity_dofs, space.get_constraints(instant), space.get_velocity_layout()},
+        {solid.get_dof_handler(), place_on_grid(solid, x, instant.origin),
+         solid.get_parameters().get_surface_weight(), interiors[b], solid.get_name()});
   }
 
   template <int dim>

@@ -106,6 +106,10 @@ namespace caudal
     }
     coupling.check();
     refinement.check(domain.levels);
+    AssertThrow(refinement.interior_levels == 0 || coupling.kernel.get_name() == "dirac",
+                ExcMessage("Refinement/Interior levels: the kernel " + coupling.kernel.get_name() +
+                           " spreads over cells of one size. Choose Coupling/Kernel = dirac, or "
+                           "leave this entry out."));
     solver.check();
     output.check();
     checkpoint.check();

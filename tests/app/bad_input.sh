@@ -54,6 +54,7 @@ override "Time/End time" 0
 override "Domain/Size" "4, -2"
 override "Domain/Cells" "8, 1"
 override "Domain/Levels" 0
+override "Refinement/Interior levels" 4
 override "Body fish/Density" -3
 override "Body fish/Shape/Length" -1
 override "Body fish/Shape/Elements" "20, 2"

@@ -130,17 +130,18 @@ namespace
         , dof_handler(triangulation)
     {
       make_domain(triangulation, make_parameters());
-      CellSet<dim> cells(lattice);
-      cells.add(body.get_boxes(), support);
+      CellSet<dim> wanted(lattice);
+      wanted.add(body.get_boxes(), support, lattice.get_finest_level());
       for (unsigned int level = 0; level < lattice.get_finest_level(); ++level)
       {
         for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() && cells.contains(cell->center(), level))
+          if (cell->is_locally_owned() && wanted.contains(cell->center(), level))
             cell->set_refine_flag();
         triangulation.execute_coarsening_and_refinement();
       }
       dof_handler.distribute_dofs(element);
-      finest_cells = std::make_unique<FinestCells<dim>>(lattice, triangulation);
+      cells =
+          std::make_unique<ActiveCells<dim>>(lattice, triangulation, lattice.get_finest_level());
 
       const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
       constraints.copy_from(
@@ -170,7 +171,7 @@ namespace
     parallel::distributed::Triangulation<dim> triangulation;
     const FESystem<dim>                       element;
     DoFHandler<dim>                           dof_handler;
-    std::unique_ptr<FinestCells<dim>>         finest_cells;
+    std::unique_ptr<ActiveCells<dim>>         cells;
     AffineConstraints<double>                 constraints;
     FieldVector                               velocity;
   };
@@ -188,10 +189,10 @@ namespace
     const unsigned int n = body.dof_handler.n_dofs();
 
     const auto compute_interaction = [&](const Vector<double> &positions) {
-      return InteractionOperator<dim>(coupling,
-                                      {*fluid.finest_cells, fluid.dof_handler, fluid.constraints,
-                                       fluid.velocity.get_partitioner()},
-                                      body.dof_handler, positions, surface_weight, "test");
+      return InteractionOperator<dim>(
+          coupling,
+          {*fluid.cells, fluid.dof_handler, fluid.constraints, fluid.velocity.get_partitioner()},
+          {body.dof_handler, positions, surface_weight, {}, "test"});
     };
     const InteractionOperator<dim> interaction = compute_interaction(body.positions);
     if (is_root)

@@ -63,20 +63,27 @@ namespace caudal
     /** The fluid's side of the interaction; its velocities have the layout @p partitioner. */
     struct Fluid
     {
-      const FinestCells<dim>                                   &finest_cells;
+      const ActiveCells<dim>                                   &cells;
       const DoFHandler<dim>                                    &velocity_dofs;
       const AffineConstraints<double>                          &constraints;
       const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner;
     };
 
+    /** The body's side, at the nodal positions @p positions. */
+    struct Body
+    {
+      const DoFHandler<dim>   &dofs;
+      const Vector<double>    &positions;
+      double                   surface_weight; ///< beside the first layer of elements
+      const std::vector<bool> &interior;       ///< cells that may meet coarser ones; none: no cell
+      const std::string       &name;           ///< for messages
+    };
+
     /**
-     * Computes G for the body's nodal positions @p positions and the weight @p surface_weight of
-     * its surface beside the first layer of elements. Throws if part of the kernel's support lies
-     * outside the finest level; @p name is the body's, for the message. Collective.
+     * Computes G. Throws if part of the kernel's support lies outside the finest level, or, in the
+     * interior, outside of the cells that are known. Collective.
      */
-    InteractionOperator(const Coupling &coupling, const Fluid &fluid,
-                        const DoFHandler<dim> &body_dofs, const Vector<double> &positions,
-                        double surface_weight, const std::string &name);
+    InteractionOperator(const Coupling &coupling, const Fluid &fluid, const Body &body);
 
     /** Quadrature points of the body. */
     unsigned int n_points() const

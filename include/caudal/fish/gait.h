@@ -106,6 +106,12 @@ namespace caudal
       return 1;
     }
 
+    /** What a coordinate is called in tables. */
+    virtual std::string get_coordinate_name() const
+    {
+      return "mode";
+    }
+
     /** The coordinates at the phase [rad] or time [s]. */
     virtual GaitState evaluate(double argument) const;
 

@@ -18,6 +18,11 @@ namespace caudal
 
     unsigned int n_coordinates() const override;
 
+    std::string get_coordinate_name() const override
+    {
+      return "joint";
+    }
+
   protected:
     /** s_i/L for the coordinate number @p i from 0 on. */
     static double get_joint(unsigned int i);

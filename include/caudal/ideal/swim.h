@@ -23,9 +23,9 @@ namespace caudal
   {
   public:
     /** Goes on from the @p state, with a row of @p table for each time. Refers to all arguments. */
-    Swim(const ideal::MotionProblem &problem, const Instants &instants, bool has_torques,
-         const OutputParameters &output, Statistics &table, ideal::SurfaceOutput &surface,
-         SwimState &state);
+    Swim(const ideal::MotionProblem &problem, const Instants &instants, const Gait &gait,
+         bool has_torques, const OutputParameters &output, Statistics &table,
+         ideal::SurfaceOutput &surface, SwimState &state);
 
     /** Takes the first instant. Collective. */
     void start(const ideal::Screw &impulse);
@@ -46,6 +46,7 @@ namespace caudal
 
     const ideal::MotionProblem &problem;
     const Instants             &instants;
+    const Gait                 &gait;
     const bool                  has_torques;
     const OutputParameters     &output;
     Statistics                 &table;

@@ -15,6 +15,8 @@ namespace caudal
     /** What the state of a swim at its end tells; the rest is to be set. */
     explicit SwimSummary(const SwimState &swim);
 
+    std::string coordinate; ///< what tables call a coordinate of the gait
+
     double frequency   = 0.;    ///< f [Hz]; 0 for a gait without period
     double length      = 0.;    ///< L of the body [m]
     double mass        = 0.;    ///< of the body [kg]
@@ -32,7 +34,11 @@ namespace caudal
   /** What an ideal fluid leaves out: a paragraph that stands in every summary. */
   std::string get_ideal_fluid_statement();
 
-  /** All results with units, for the eye: a row for each quantity, a column for each swim. */
+  /**
+   * All results with units, for the eye: a row for each quantity, a column for each swim. What is
+   * not known of a swim that makes no whole stroke, beside others that do, is left blank in all of
+   * these tables (- here, null in JSON).
+   */
   std::string print_text(const std::vector<SwimSummary> &summaries);
 
   /** A table for programs: a row for each swim, the names of the columns first. */

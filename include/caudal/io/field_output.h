@@ -20,7 +20,7 @@ namespace caudal
     double       field_interval      = 0.02;
     unsigned int statistics_interval = 1;
     std::string  format              = "vtu"; // or "hdf5"
-    unsigned int n_subdivisions      = 1;
+    unsigned int n_subdivisions      = 2;
 
     void add_parameters(dealii::ParameterHandler &prm);
     /** Those about the folder alone, for models without fields. */

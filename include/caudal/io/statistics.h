@@ -18,6 +18,12 @@ namespace caudal
   }
 
   /**
+   * Writes the rows of @p table, a file of Statistics, to @p csv, separated by commas and below one
+   * row of the columns' names and units.
+   */
+  void write_csv(const std::string &table, const std::string &csv);
+
+  /**
    * A table with a row per time step and a column per quantity, as a text file
    * for gnuplot, numpy.loadtxt and the eye: headers "# n: name [unit]", then
    * rows of numbers with ten significant digits, each row flushed.

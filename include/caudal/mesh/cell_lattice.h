@@ -78,27 +78,30 @@ namespace caudal
     }
   }
 
-  /** A set of cells of the finest level together with their ancestors on all levels. */
+  /** A set of cells together with their ancestors on all levels. */
   template <int dim>
   class CellSet
   {
   public:
     explicit CellSet(const CellLattice<dim> &lattice);
 
-    /** Adds every cell of the domain that meets one of the @p boxes, each enlarged by @p margin
-     * cells. */
-    void add(const std::vector<BoundingBox<dim>> &boxes, double margin);
+    /** Adds every cell of the domain and of @p level that meets one of the @p boxes, each enlarged
+     * by @p margin cells. */
+    void add(const std::vector<BoundingBox<dim>> &boxes, double margin, unsigned int level);
 
-    /** Whether the cell, or a finest cell inside it, belongs to the set. */
+    /** Whether the cell, or one inside of it, belongs to the set. */
     bool contains(const Point<dim> &cell_center, unsigned int level) const;
 
-    /** Number of finest cells. */
+    /** Whether a cell inside of it, and finer than it, belongs to the set. */
+    bool contains_finer(const Point<dim> &cell_center, unsigned int level) const;
+
+    /** Number of cells of the finest level. */
     std::size_t size() const
     {
       return cells.back().size();
     }
 
-    /** Whether each of the cells is an active one of the finest level (collective). */
+    /** Whether each of the set's cells of the finest level is an active one (collective). */
     bool is_covered_by(const parallel::distributed::Triangulation<dim> &triangulation) const;
 
   private:
@@ -109,21 +112,27 @@ namespace caudal
     std::vector<std::unordered_set<Coordinates, boost::hash<Coordinates>>> cells; // by level
   };
 
-  /** Finds the locally owned cells of the finest level by their coordinates. */
+  /** Finds the locally owned active cells, down to a coarsest level, by their coordinates. */
   template <int dim>
-  class FinestCells
+  class ActiveCells
   {
   public:
     using Cell        = typename Triangulation<dim>::active_cell_iterator;
     using Coordinates = typename CellLattice<dim>::Coordinates;
 
-    FinestCells(const CellLattice<dim> &lattice, const Triangulation<dim> &triangulation);
+    ActiveCells(const CellLattice<dim> &lattice, const Triangulation<dim> &triangulation,
+                unsigned int coarsest_level);
 
-    /** nullptr if the cell is not there, not on the finest level or another rank's. */
-    const Cell *find(const Coordinates &coordinates) const;
+    /** nullptr if the cell is not there, not an active one of this level or another rank's. */
+    const Cell *find(const Coordinates &coordinates, unsigned int level) const;
 
-    /** Whether one of them meets the @p box, enlarged by @p margin cells. */
-    bool meet(const BoundingBox<dim> &box, double margin) const;
+    /** Whether one of this level meets the @p box, enlarged by @p margin cells. */
+    bool meet(const BoundingBox<dim> &box, double margin, unsigned int level) const;
+
+    unsigned int get_coarsest_level() const
+    {
+      return coarsest_level;
+    }
 
     const CellLattice<dim> &get_lattice() const
     {
@@ -133,8 +142,14 @@ namespace caudal
   private:
     const CellLattice<dim> &lattice;
 
-    std::unordered_map<Coordinates, Cell, boost::hash<Coordinates>> cells;
-    Coordinates lowest, highest; // in each direction
+    const unsigned int coarsest_level;
+
+    struct Level
+    {
+      std::unordered_map<Coordinates, Cell, boost::hash<Coordinates>> cells;
+      Coordinates lowest, highest; // in each direction
+    };
+    std::vector<Level> levels; // from the coarsest one on
   };
 } // namespace caudal
 

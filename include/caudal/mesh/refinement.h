@@ -13,6 +13,7 @@ namespace caudal
   {
     unsigned int interval                = 10;
     double       body_margin             = 3;
+    unsigned int interior_levels         = 0;
     double       vorticity_threshold     = 0;
     unsigned int vorticity_levels        = 0;
     unsigned int largest_number_of_cells = 100000;
@@ -20,11 +21,21 @@ namespace caudal
 
     void add_parameters(ParameterHandler &prm);
     void check(unsigned int levels) const;
+
+    /** The coarsest level on which a body may meet the grid in its interior. */
+    unsigned int get_interior_level(const unsigned int finest_level) const
+    {
+      return interior_levels == 0 ? finest_level : interior_levels - 1;
+    }
+
+    /** Where the interior of a body begins: its depth below the surface, in cells of the finest
+     * level. */
+    static constexpr double interior_depth = 3;
   };
 
   /**
    * Sets the refinement and coarsening flags of the locally owned cells:
-   * finest near the bodies (@p body_cells); elsewhere by the @p indicator of
+   * fine near the bodies (@p body_cells); elsewhere by the @p indicator of
    * each active cell, h |vorticity| [m/s] at its largest (refine above the
    * threshold, coarsen below an eighth of it); never coarser than the level
    * expression at @p time [s]. If the cells would become too many, those with the smallest

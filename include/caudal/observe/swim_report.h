@@ -53,11 +53,12 @@ namespace caudal
     std::vector<SwimSample> samples; // since the start of the running beat
     std::vector<TailBeat>   beats;
 
-    std::string get_json_file() const;
+    std::string get_file(const std::string &ending) const;
     std::size_t count_steady_beats() const;
     void        write_header(std::ostream &out, const Quantities &quantities) const;
     void        write_row(std::ostream &out, const Quantities &quantities, std::size_t beat) const;
     void        write_json(std::ostream &out) const;
+    void        write_csv(std::ostream &out) const;
     void        write_files() const;
   };
 } // namespace caudal

@@ -39,6 +39,7 @@ namespace caudal
     const CellLattice<dim>                    lattice;
     const Coupling                            coupling;
     const Bodies<dim>                         bodies;
+    const std::vector<std::vector<bool>>      interiors; // by body, cell: meets coarser cells
     const FlowScales                          scales;
     parallel::distributed::Triangulation<dim> triangulation;
     FluidSpace<dim>                           space;
@@ -47,7 +48,7 @@ namespace caudal
     CoupledSolver<dim>                        solver;
 
   private:
-    std::unique_ptr<const FinestCells<dim>> finest_cells;
+    std::unique_ptr<const ActiveCells<dim>> cells;
   };
 } // namespace caudal
 
