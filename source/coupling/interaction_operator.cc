@@ -72,6 +72,7 @@ namespace caudal
         seen = add_point_on(level, point, weight, shape);
       return seen;
     }
+
     /** Ends a body cell: turns its blocks into entries, resolving the constraints. */
     void finish_cell(const std::vector<types::global_dof_index> &body_indices)
     {
