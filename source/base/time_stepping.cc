@@ -100,7 +100,7 @@ namespace caudal
   TimeWeights TimeStepper::get_weights(const double step) const
   {
     // Steps that lead to a steady flow in few large leaps would only swing with a parabola.
-    constexpr double largest_cfl = 10;
+    constexpr double largest_cfl = 25;
     const double     curvature =
         2. / 3. * std::clamp(2. - convective_rate * step / largest_cfl, 0., 1.);
     return TimeWeights::backward_differentiation(step, previous_step, older_step, curvature);
