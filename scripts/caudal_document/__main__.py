@@ -6,7 +6,7 @@ import os
 import pathlib
 import sys
 
-from . import cases, columns, messages, page, parameters
+from . import cases, columns, gallery, messages, page, parameters
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -28,9 +28,12 @@ def write_reference(program, output):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="scripts/document")
     parser.add_argument("program", help="the program caudal")
-    parser.add_argument("what", choices=("reference",))
-    parser.add_argument("names", nargs="*", metavar="NAME", help="the page (doc/reference.html)")
+    parser.add_argument("what", choices=("reference", "gallery"))
+    parser.add_argument("names", nargs="*", metavar="NAME",
+                        help="the page of the reference (doc/reference.html); pictures (all)")
     options = parser.parse_args(arguments)
+    if options.what == "gallery":
+        return gallery.make(ROOT, options.names)
     output = pathlib.Path(options.names[0]) if options.names else ROOT / "doc" / "reference.html"
     write_reference(options.program, output)
     return 0
