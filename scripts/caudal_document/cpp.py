@@ -67,7 +67,7 @@ def find_definition(text, name, position):
 
 def read_stream(text, name, position, depth):
     """What was written to a string stream since it was defined, up to a place."""
-    begin = text.rfind(f"stringstream ", 0, position)
+    begin = text.rfind("stringstream ", 0, position)
     pieces = re.finditer(rf"\b{re.escape(name)}\s*<<", text[begin:position])
     parts = []
     for piece in pieces:

@@ -43,7 +43,7 @@ def read_remedies(root):
 def read_errors(text, remedies):
     """(text, limit) of the errors of a source."""
     internal = find_internal(text)
-    for name, arguments, position in cpp.find_calls(text, "ExcMessage|complain|fail"):
+    for _, arguments, position in cpp.find_calls(text, "ExcMessage|complain|fail"):
         is_definition = re.match(r"const\s+std::string\b", arguments[0] if arguments else "")
         if any(begin < position < end for begin, end in internal) or is_definition:
             continue

@@ -28,10 +28,13 @@ for case in midline robot; do
   caudal prm/cookbook/${case}_ideal.prm -D "Output/Folder=ideal_$case" -D "Time/End time=0.9" \
     -D "Surface/Cells along=1" -D "Surface/Cells across=1" -D "Integration/Torques=false" \
     -D "Output/Interval of fields=1"
-  check "$case in an ideal fluid: it swims forward" "$(last "x of centre of mass" ideal_$case/statistics.txt) < $(column "x of centre of mass" ideal_$case/statistics.txt | head -n 1)"
+  place="x of centre of mass"
+  before=$(column "$place" ideal_$case/statistics.txt | head -n 1)
+  check "$case in an ideal fluid: it swims forward" "$(last "$place" ideal_$case/statistics.txt) < $before"
   caudal prm/cookbook/$case.prm -D "Output/Folder=viscous_$case" -D "Domain/Levels=4" \
     -D "Time/End time=0.02" -D "Time/Step=5e-3" -D "Output/Interval of fields=1"
-  check "$case in a viscous fluid: it follows its gait" "$(last "fish: distance from the gait" viscous_$case/statistics.txt) < 0.01"
+  check "$case in a viscous fluid: it follows its gait" \
+    "$(last "fish: distance from the gait" viscous_$case/statistics.txt) < 0.01"
 done
 
 # The mesh from gmsh has its two regions, and its head turns.
