@@ -39,6 +39,8 @@ def main(arguments):
     parser.add_argument("--only", metavar="NAME", action="append",
                         choices=[name for name, _, _ in FIGURES + passage.FIGURES],
                         help="draw this figure only")
+    parser.add_argument("--limit", metavar="VALUE", type=float,
+                        help="end of the vorticity's colour scale [1/s], which else the wake decides")
     parser.add_argument("--movie", action="store_true",
                         help="make a film of the vorticity, DIR/plots/movie.mp4 and movie.gif, too")
     options = parser.parse_args(arguments)
@@ -50,7 +52,9 @@ def main(arguments):
     style.apply()
     is_passage = (options.folder / "passage.json").is_file()
     run = passage.Answers(options.folder) if is_passage else Run(options.folder)
-    tasks = [(name, lambda name=name, draw=draw: save(draw(run), run.folder / "plots" / f"{name}.png"))
+    limits = {"vorticity": {"limit": options.limit}}
+    tasks = [(name, lambda name=name, draw=draw: save(draw(run, **limits.get(name, {})),
+                                                      run.folder / "plots" / f"{name}.png"))
              for name, _, draw in (passage.FIGURES if is_passage else FIGURES)
              if not options.only or name in options.only]
     if options.movie:
