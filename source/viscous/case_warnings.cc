@@ -135,6 +135,20 @@ namespace caudal
                            " s are less than 50 steps a beat of " + body.path +
                            ". Give a smaller step.");
     }
+    const auto &domain = parameters.domain;
+    std::string open_sides;
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      if (domain.has_moving_frame() && !domain.is_periodic(side / 2) &&
+          parameters.fluid.sides[side].get_name() == "free slip")
+        open_sides += (open_sides.empty() ? "" : ", ") + get_side_names(dim)[side];
+    if (!open_sides.empty())
+      warnings.push_back(
+          "Fluid/Boundary conditions: where the grid moves (Domain/Frame) into fluid "
+          "through a side (" +
+          open_sides +
+          "), free slip leaves open how fast that fluid goes along the side: the "
+          "flow there may grow without a limit. Take wall where the fluid ahead is "
+          "at rest.");
   }
 
   template <int dim>
