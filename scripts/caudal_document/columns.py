@@ -46,10 +46,10 @@ class Table:
 
 
 def generalise(name, bodies):
-    """A column's name without what differs between bodies, points, probes, modes and places."""
+    """A column's name without what differs between bodies, points, probes, modes, joints and places."""
     for body in bodies:
         name = re.sub(rf"^{re.escape(body)}: ", "<body>: ", name)
-    name = re.sub(r"\b(point|probe|mode|quaternion) \d+", r"\1 <k>", name)
+    name = re.sub(r"\b(point|probe|mode|joint|quaternion) \d+", r"\1 <k>", name)
     return re.sub(r"at 0\.\d L", "at 0.<k> L", name)
 
 
