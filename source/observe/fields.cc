@@ -167,8 +167,9 @@ namespace caudal
         data_out.add_data_vector(level, "level");
         data_out.add_data_vector(rank, "rank");
         if (observation.grid_moves)
+          // Without the last argument deal.II draws cells inside of the domain where they were.
           data_out.build_patches(TranslatedMapping<dim>(restrict_to<dim>(observation.origin)),
-                                 n_subdivisions);
+                                 n_subdivisions, DataOut<dim>::curved_inner_cells);
         else
           data_out.build_patches(n_subdivisions);
         output->write(data_out, "fluid", observation.time, n_outputs, space.get_communicator());

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # An eel in still water, and the same in a uniform stream on a grid that is carried along: what is
 # left of the stream comes from the skew-symmetric form of the convection, in cells that the eel cuts.
-# And on a grid that follows it, where other cells are cut.
+# And on a grid that follows it, where other cells are cut. Its fields are where it is.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 
 # swim NAME STREAM ENTRIES: speed over the stream and work, into the file NAME.figures.
@@ -52,3 +52,18 @@ compare followed 0.05
 moved=$(awk "BEGIN { print $(last 'eel: x of centre of mass' followed/statistics.txt) - \
   $(column 'eel: x of centre of mass' followed/statistics.txt | head -n 1) }")
 check "the grid comes after the eel" "$(last 'x of the grid' followed/statistics.txt) / ($moved) > 0.3"
+
+# The fields of a grid that has moved are all where it is now: so is the centre of its cells.
+PYTHONPATH=$CAUDAL_SOURCE_DIR/python /usr/bin/python3 - <<'END'
+import caudal
+
+
+def get_centre(field):
+    return field.areas @ field.points[field.triangles].mean(axis=1) / field.areas.sum()
+
+
+run = caudal.Run("carried")
+first, last = run.times[0], run.times[-1]
+way = get_centre(run.read_fluid(last)) - get_centre(run.read_fluid(first))
+print(f"the fields have gone as far as was told, times {way[0] / (0.5 * last):.4f}")
+END
