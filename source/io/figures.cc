@@ -6,6 +6,8 @@
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -80,6 +82,21 @@ namespace caudal
       return Utilities::trim(header.substr(0, header.rfind(" [")));
     }
 
+    /** The numbers of a row of summary.csv; not a number where the cell is blank, or a text. */
+    Values read_cells(const std::string &line)
+    {
+      std::vector<std::string> cells;
+      boost::split(cells, line, boost::is_any_of(","));
+      Values row;
+      for (const std::string &cell : cells)
+      {
+        double value;
+        row.push_back(std::istringstream(cell) >> value ? value
+                                                        : std::numeric_limits<double>::quiet_NaN());
+      }
+      return row;
+    }
+
     /** The table in statistics*.txt, "# n: name [unit]" and rows, or in summary.csv. */
     Table read_table(const std::filesystem::path &path, const double start)
     {
@@ -95,9 +112,9 @@ namespace caudal
             names.push_back(strip_unit(header));
         else
         {
-          std::replace(line.begin(), line.end(), ',', ' ');
           std::istringstream numbers(line);
-          const Values       row{std::istream_iterator<double>(numbers), {}};
+          const Values       row =
+              is_summary ? read_cells(line) : Values{std::istream_iterator<double>(numbers), {}};
           if (row.size() != names.size() ||
               (!is_summary && row[0] < start - 1e-9 * std::abs(start)))
             continue;
@@ -143,7 +160,7 @@ namespace caudal
       return function;
     }
 
-    /** The expression of up to three columns, in each row. */
+    /** The expression of up to three columns, in each row that has values of all of them. */
     Values evaluate_rows(std::string expression, const Table &table)
     {
       const auto names = find_columns(expression);
@@ -162,7 +179,8 @@ namespace caudal
         for (std::size_t k = 0; k < names.size(); ++k)
           row[k] = table.columns.at(names[k])[i];
         function->set_time(table.times.empty() ? 0. : table.times[i]);
-        values.push_back(function->value(row));
+        if (std::isfinite(row.norm()))
+          values.push_back(function->value(row));
       }
       AssertThrow(!values.empty(), ExcMessage(entry + ": <" + table.file +
                                               "> has no row. Check Output/Figures/From time."));
