@@ -25,6 +25,12 @@ compute() {
   awk "BEGIN { printf \"%.2f\\n\", $1 }"
 }
 
+# open_page FILE: a page of this folder, which may read others there, after its script has run.
+open_page() {
+  chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --allow-file-access-from-files \
+    --user-data-dir="$PWD/profile" --virtual-time-budget=8000 --dump-dom "file://$PWD/$1" 2>/dev/null
+}
+
 # check TEXT CONDITION: prints the text and whether the condition holds.
 check() {
   awk "BEGIN { print \"$1: \" (($2) ? \"yes\" : \"no ($2)\") }"

@@ -249,10 +249,11 @@ namespace caudal
                            const std::string &path, Triangulation<2> &tria)
     {
       const double length = body.get_length(), size = divisions.spacing / length;
+      const double tail = body.half_width((1. - size) * length);
       if (size > 0.1 || body.half_width(0.5 * length) < divisions.spacing ||
-          2. * body.half_width((1. - size) * length) > 1.7 * divisions.spacing)
+          2. * tail > 1.7 * divisions.spacing)
         return false;
-      const double cut = std::min(0.4 * size, body.half_width((1. - size) * length) / length);
+      const double cut = std::min(0.4 * size, tail / length);
       make_graded_grid(EllipticOutline(body, cut), size, divisions.region_boundaries, path, tria);
       GridTools::scale(length, tria);
       return true;

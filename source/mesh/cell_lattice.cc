@@ -60,19 +60,18 @@ namespace caudal
 
   template <int dim>
   void CellSet<dim>::add(const std::vector<BoundingBox<dim>> &boxes, const double margin,
-                         const unsigned int finest)
+                         const unsigned int level)
   {
-    const Tensor<1, dim> slack = margin * lattice.get_cell_size(finest);
+    const Tensor<1, dim> slack = margin * lattice.get_cell_size(level);
     for (const BoundingBox<dim> &box : boxes)
     {
       const auto &[lower, upper] = box.get_boundary_points();
-      any_cell_between(lattice.get_coordinates(lower - slack, finest),
-                       lattice.get_coordinates(upper + slack, finest), [&](auto cell) {
-                         cell = lattice.wrap(cell, finest);
-                         if (lattice.is_inside(cell, finest))
+      any_cell_between(lattice.get_coordinates(lower - slack, level),
+                       lattice.get_coordinates(upper + slack, level), [&](auto cell) {
+                         cell = lattice.wrap(cell, level);
+                         if (lattice.is_inside(cell, level))
                            // Once an ancestor is known, so are all above it.
-                           for (int level = finest; level >= 0 && cells[level].insert(cell).second;
-                                --level)
+                           for (int l = level; l >= 0 && cells[l].insert(cell).second; --l)
                              for (int &coordinate : cell)
                                coordinate >>= 1;
                          return false;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # doc/reference.html is that of this program, its cases and its sources, and works in a browser: it
 # fits a narrow window, finds what is searched for, and shows what a link leads to.
+. "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 "$CAUDAL_SOURCE_DIR/scripts/document" reference "$PWD/reference.html" >printed 2>&1 || cat printed
 grep "no model" printed
 cmp reference.html "$CAUDAL_SOURCE_DIR/doc/reference.html" && echo "doc/reference.html is that of this program"
@@ -24,9 +25,7 @@ onload = () => setTimeout(() => {
 }, 1000);
 </script>
 PAGE
-  chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --allow-file-access-from-files \
-    --user-data-dir="$PWD/profile" --virtual-time-budget=8000 --dump-dom "file://$PWD/frame.html" 2>/dev/null |
-    sed -n 's/.*data-result="\([^"]*\)".*/  \1/p'
+  open_page frame.html | sed -n 's/.*data-result="\([^"]*\)".*/  \1/p'
 }
 fits='page.documentElement.scrollWidth <= frame.innerWidth'
 beyond='[...page.querySelectorAll("body *")].filter(part => part.getBoundingClientRect().right > frame.innerWidth + 1).length'

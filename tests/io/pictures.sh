@@ -72,8 +72,7 @@ onload = () => setTimeout(() => {
 }, 1500);
 </script>
 END
-    chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --allow-file-access-from-files \
-      --user-data-dir="$PWD/profile" --virtual-time-budget=8000 --dump-dom "file://$PWD/frame.html" 2>/dev/null |
+    open_page frame.html |
       sed -n "s/.*data-result=\"\([^\"]*\)\".*/$width pixels: fits, parts beyond, drawn, open details: \1/p"
   done
 }
