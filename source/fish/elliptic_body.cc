@@ -258,6 +258,38 @@ namespace caudal
       GridTools::scale(length, tria);
       return true;
     }
+
+    /** The area of the outline of the half-widths [m^2]. */
+    double compute_area(const StraightBody &body)
+    {
+      // Gauss points over the angle from nose to tail, where the round ends are smooth.
+      const QIterated<1> quadrature(QGauss<1>(4), 50);
+      const double       length = body.get_length();
+      double             area   = 0.;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const double angle = numbers::PI * quadrature.point(q)[0],
+                     s     = 0.5 * length * (1. - std::cos(angle));
+        area += 2. * body.half_width(s) * 0.5 * length * std::sin(angle) * numbers::PI *
+                quadrature.weight(q);
+      }
+      return area;
+    }
+
+    /**
+     * Gives a plane grid the length and the area of the outline. Its polygon has less area, and
+     * with an odd number of elements across it ends in edges instead of points, which make it
+     * shorter.
+     */
+    void fit_to_outline(Triangulation<2> &tria, const StraightBody &body)
+    {
+      const BoundingBox<2> box = GridTools::compute_bounding_box(tria);
+      const double front = box.lower_bound(0), stretch = body.get_length() / box.side_length(0),
+                   widen = compute_area(body) / (stretch * GridTools::volume(tria));
+      GridTools::transform(
+          [&](const Point<2> &p) { return Point<2>((p[0] - front) * stretch, widen * p[1]); },
+          tria);
+    }
   } // namespace
 
   template <int dim>
@@ -287,6 +319,8 @@ namespace caudal
           return result;
         },
         tria);
+    if constexpr (dim == 2)
+      fit_to_outline(tria, *body);
     assign_regions(tria, divisions.region_boundaries);
   }
 
