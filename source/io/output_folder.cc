@@ -304,16 +304,24 @@ namespace caudal
     {
       // Not collective: it may be one rank that fails. The run's own error is the one to tell.
       if (manifest)
-        catch_file_error([&]() { manifest->set_progress(Progress::failed); });
+        catch_file_error([&]() {
+          manifest->set_progress(Progress::failed);
+          write_csv_tables();
+        });
       throw;
     }
     run_on_root(communicator, [&]() {
-      for (const std::string &table : tables)
-        write_csv(path(table), add(fs::path(table).replace_extension(".csv")));
+      write_csv_tables();
       if (outcome == Outcome::finished)
         manifest->set_progress(Progress::finished);
     });
     return outcome;
+  }
+
+  void OutputFolder::write_csv_tables() const
+  {
+    for (const std::string &table : tables)
+      write_csv(path(table), add(fs::path(table).replace_extension(".csv")));
   }
 
   void OutputFolder::synchronise() const

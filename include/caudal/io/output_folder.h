@@ -74,7 +74,10 @@ namespace caudal
       return parameters;
     }
 
-    /** Runs @p run, and notes in the manifest how it ends. Collective. */
+    /**
+     * Runs @p run, and notes in the manifest how it ends; the tables are written as CSV then, too,
+     * also if the run fails. Collective.
+     */
     Outcome record(const std::function<Outcome()> &run) const;
 
     /** Waits until the disk has all that was written so far. On rank 0 alone. */
@@ -102,6 +105,7 @@ namespace caudal
 
     void prepare(Start start, ExistingResults existing);
     void make_room(Progress progress, ExistingResults existing);
+    void write_csv_tables() const; // on rank 0
   };
 } // namespace caudal
 
