@@ -45,6 +45,8 @@ fail() {
        s/[-0-9.e+]* m from it/... m from it/g; s/^/    /' errors
   echo "    exit code $code"
   ls results/restart/step-*/state >/dev/null && echo "    a checkpoint"
+  [ "$(tail -n +2 results/statistics.csv | wc -l)" = "$(grep -vc "^#" results/statistics.txt)" ] &&
+    echo "    statistics.csv has all rows"
   grep -o "The last good state.* is written" results/log.txt | sed 's/t = [^ ]*/t = .../; s/^/    /'
   for name in fluid disc; do
     n=$(grep -c "<DataSet.*name=\"$name\"" results/solution.pvd)
