@@ -7,7 +7,7 @@ ln -s "$CAUDAL_SOURCE_DIR/python" python
 cat >prm/first_fish.prm <<END
 include $CAUDAL_SOURCE_DIR/prm/first_fish.prm
 subsection Time
-  set End time = 1.1
+  set End time = 1.6
 end
 subsection Domain
   set Levels = 4
@@ -25,7 +25,7 @@ END
 # The Python block becomes a command, too.
 sed -n '/^```sh$/,/^```$/{/^```/!p}
   /^```python$/,/^```$/{s/^```python$/\/usr\/bin\/python3 - <<"PYTHON"/; s/^```$/PYTHON/; p}' \
-  "$CAUDAL_SOURCE_DIR/doc/tutorial.md" | sed 's/End time=4.4/End time=1.2/' >commands
+  "$CAUDAL_SOURCE_DIR/doc/tutorial.md" | sed 's/End time=4.5/End time=1.7/' >commands
 
 export CAUDAL_RANKS=1
 bash -e commands >printed 2>&1 || { echo "failed:"; tail -n 20 printed; }

@@ -43,30 +43,28 @@ EOF
 cat >school.prm <<EOF
 include $CAUDAL_SOURCE_DIR/prm/school_tandem.prm
 subsection Time
-  set Step = 0.004
+  set Step = 0.01
 end
 subsection Domain
-  set Size   = 4, 2
+  set Size   = 0.2, 0.1
   set Cells  = 8, 4
-  set Levels = 4
+  set Levels = 5
 end
 subsection Body fish
   subsection Shape
-    set Elements = 40, 4
-    set Position = 0.7, 1
+    set Position = 0.035, 0.05
   end
 end
 subsection Body follower
   subsection Shape
-    set Elements = 40, 4
-    set Position = 2.2, 1
+    set Position = 0.11, 0.05
   end
   subsection Controller
-    set Type = heading
+    set Type = none
   end
 end
 subsection Coupling
-  set Kernel = dirac
+  set Accept unresolved bodies = true
 end
 subsection Refinement
   set Interval         = 4
