@@ -399,11 +399,6 @@ namespace caudal
     return implementation->n_factor_entries;
   }
 
-  unsigned int SchurComplement::get_n_factorized() const
-  {
-    return implementation->enclosed.size() + implementation->owned_x.size();
-  }
-
   bool SchurComplement::has_pivoted() const
   {
     return implementation->pivoted;

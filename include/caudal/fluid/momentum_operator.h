@@ -66,8 +66,8 @@ namespace caudal
     }
 
     /**
-     * The diagonal of A - gamma B^T M_p^-1 B, @p grad_div being gamma: what is left of A for
-     * velocities of which the grad-div term sees nothing, were they as smooth as the pressure.
+     * The diagonal of A - gamma B^T M_p^-1 B, @p grad_div being gamma: A without its grad-div term
+     * as far as the pressure space can tell a divergence.
      */
     FieldVector compute_smooth_diagonal(double grad_div) const;
 

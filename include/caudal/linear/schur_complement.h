@@ -56,9 +56,8 @@ namespace caudal
     /** Whether constant q are in the null space of B^T. */
     bool is_singular() const;
 
-    /** Entries of the factors, and the unknowns that are factorised. */
-    double       get_factor_entries() const;
-    unsigned int get_n_factorized() const;
+    /** Number of entries of the factors. */
+    double get_factor_entries() const;
 
     /** Whether the last factorisation needed pivots from all rows, which is slow. */
     bool has_pivoted() const;
