@@ -149,6 +149,53 @@ namespace caudal
     result.compress(VectorOperation::add);
   }
 
+  void CellwiseMatrix::add_diagonal(FieldVector &result) const
+  {
+    Assert(rows == columns, ExcNotImplemented());
+    const auto &[left, constrained, resolutions] = *columns;
+    result.zero_out_ghost_values();
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
+    {
+      const std::size_t n = left.n(cell);
+      for (std::size_t i = 0; i < n; ++i)
+        result.local_element(left.local[left.begins[cell] + i]) += values[begins[cell] + i * n + i];
+      for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
+        result.local_element(constrained.local[i]) += diagonals[cell];
+    }
+    result.compress(VectorOperation::add);
+  }
+
+  void
+  CellwiseMatrix::add_diagonal_of_squares(const std::vector<const FullMatrix<double> *> &weights,
+                                          FieldVector &result) const
+  {
+    Assert(rows != columns, ExcNotImplemented());
+    result.zero_out_ghost_values();
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
+    {
+      const std::size_t n_rows = rows->left.n(cell), n = columns->left.n(cell);
+      const double     *value = values.data() + begins[cell];
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t k = 0; k < n_rows; ++k)
+          for (std::size_t l = 0; l < n_rows; ++l)
+            result.local_element(columns->left.local[columns->left.begins[cell] + j]) +=
+                value[k * n + j] * (*weights[cell])(k, l) * value[l * n + j];
+    }
+    result.compress(VectorOperation::add);
+  }
+
+  Triplets CellwiseMatrix::to_triplets() const
+  {
+    Assert(rows != columns, ExcNotImplemented());
+    Triplets      result;
+    const double *value = values.data();
+    for (unsigned int cell = 0; cell + 1 < begins.size(); ++cell)
+      for (std::size_t i = rows->left.begins[cell]; i < rows->left.begins[cell + 1]; ++i)
+        for (std::size_t j = columns->left.begins[cell]; j < columns->left.begins[cell + 1]; ++j)
+          result.add(rows->left.global[i], columns->left.global[j], *value++);
+    return result;
+  }
+
   void CellwiseMatrix::append_to(MatrixParts &matrix) const
   {
     const auto &[left, constrained, resolutions] = *columns;

@@ -252,6 +252,28 @@ namespace caudal
   }
 
   template <int dim>
+  FieldVector MomentumOperator<dim>::compute_diagonal() const
+  {
+    FieldVector diagonal = space.make_velocity_vector();
+    matrix.add_diagonal(diagonal);
+    return diagonal;
+  }
+
+  template <int dim>
+  FieldVector MomentumOperator<dim>::compute_smooth_diagonal(const double grad_div) const
+  {
+    std::vector<const FullMatrix<double> *> weights;
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        weights.push_back(&space.get_cell_matrices(cell->level()).get_inverse_pressure_mass());
+    FieldVector squares = space.make_velocity_vector();
+    divergence_matrix.add_diagonal_of_squares(weights, squares);
+    FieldVector diagonal = compute_diagonal();
+    diagonal.add(-grad_div, squares);
+    return diagonal;
+  }
+
+  template <int dim>
   FieldVector MomentumOperator<dim>::compute_divergence(const FieldVector &velocity) const
   {
     FieldVector    result = space.make_pressure_vector();

@@ -167,8 +167,9 @@ namespace caudal
       const FluidSpace<dim> &space = operators.space;
       const auto             point = std::make_shared<Linearisation>();
       point->weights.inertia       = operators.parameters.fluid.density / step;
-      point->weights.augmentation =
-          point->weights.inertia * operators.parameters.domain.size.norm_square();
+      if (!operators.solver.is_iterative())
+        point->weights.augmentation =
+            point->weights.inertia * operators.parameters.domain.size.norm_square();
       CoupledUnknowns residual{
           space.make_velocity_vector(), operators.momentum.compute_divergence(velocity), {}};
       residual.pressure *= -1;

@@ -32,6 +32,10 @@ namespace caudal
                             "; Solver/Largest number of iterations).",
                         StepFailure::Kind::not_converged, step.state.bodies);
     }
+    catch (const ExcStalled &exception)
+    {
+      throw StepFailure(get_sentence(exception), StepFailure::Kind::stalled, step.state.bodies);
+    }
     catch (const ExcInvertedElement &exception)
     {
       throw StepFailure(get_sentence(exception), StepFailure::Kind::inverted_element,

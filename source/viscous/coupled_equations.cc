@@ -111,8 +111,6 @@ namespace caudal
 
     const Vector<double> in = broadcast(source.block(2));
     Vector<double>       out(in.size());
-    FieldVector          forces;
-    forces.reinit(result.block(0));
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const auto &[rows, columns, entries] = bodies[b].matrix;
@@ -120,10 +118,21 @@ namespace caudal
         out[begins[b] + rows[k]] += entries[k] * in[begins[b] + columns[k]];
       add(bodies[b].interaction.interpolate(source.block(0), /*homogeneous=*/true), begins[b],
           bodies[b].force_density, -scale, out);
-      bodies[b].interaction.spread(extract(in, begins[b], bodies[b].force_density), forces);
     }
-    result.block(0) -= forces;
+    add_forces(source.block(2), -1, result.block(0));
     std::copy_n(out.begin(), result.block(2).locally_owned_size(), result.block(2).begin());
+  }
+
+  template <int dim>
+  void CoupledEquations<dim>::add_forces(const FieldVector &unknowns, const double factor,
+                                         FieldVector &forces) const
+  {
+    const Vector<double> values = broadcast(unknowns);
+    FieldVector          sum;
+    sum.reinit(forces);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      bodies[b].interaction.spread(extract(values, begins[b], bodies[b].force_density), sum);
+    forces.add(factor, sum);
   }
 
   template <int dim>
@@ -150,14 +159,49 @@ namespace caudal
   }
 
   template <int dim>
+  Triplets CoupledEquations<dim>::collect_interactions() const
+  {
+    Triplets entries;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      bodies[b].interaction.for_each_entry(
+          [&](const unsigned int row, const types::global_dof_index column, const double value) {
+            entries.add(begins[b] + bodies[b].force_density[row], column, value);
+          });
+    return entries;
+  }
+
+  template <int dim>
+  Triplets CoupledEquations<dim>::collect_body_matrix() const
+  {
+    Triplets entries;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const Triplets &matrix = bodies[b].matrix;
+      for (std::size_t k = 0; k < matrix.values.size(); ++k)
+        entries.add(begins[b] + matrix.rows[k], begins[b] + matrix.columns[k], matrix.values[k]);
+    }
+    return entries;
+  }
+
+  template <int dim>
   std::vector<int> CoupledEquations<dim>::get_group_begins(const unsigned int most_per_anchor) const
   {
     std::vector<int> groups;
     for (unsigned int i = 0; i < n_velocities; i += dim)
       groups.push_back(i);
+    for (const int begin : get_body_group_begins(most_per_anchor))
+      groups.push_back(n_velocities + begin);
+    return groups;
+  }
+
+  template <int dim>
+  std::vector<int>
+  CoupledEquations<dim>::get_body_group_begins(const unsigned int most_per_anchor) const
+  {
+    std::vector<int> groups;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      const int          begin   = n_velocities + begins[b];
+      const int          begin   = begins[b];
       const unsigned int n_nodes = bodies[b].velocity.size / dim;
       const unsigned int spacing = std::clamp(n_nodes / fewest_anchors, 1u, most_per_anchor);
       for (unsigned int node = 0; node < n_nodes; ++node)
@@ -169,7 +213,7 @@ namespace caudal
       if (bodies[b].frame.size > 0)
         groups.push_back(begin + bodies[b].frame[0]);
     }
-    groups.push_back(n_velocities + begins.back());
+    groups.push_back(begins.back());
     return groups;
   }
 

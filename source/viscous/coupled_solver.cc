@@ -2,17 +2,26 @@
 #include <caudal/base/checks.h>
 #include <caudal/base/compatibility.h>
 #include <caudal/linear/conjugate_residuals.h>
+#include <caudal/viscous/block_preconditioner.h>
 #include <caudal/viscous/coupled_solver.h>
 
 #include <deal.II/lac/solver_control.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace caudal
 {
   void SolverParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Solver");
+    prm.add_parameter(
+        "Method", method,
+        "direct: factorise the matrix of velocities and bodies; iterative: factorise what is near "
+        "the bodies alone, and iterate; automatic: iterative in 3D on more than 5000 cells, else "
+        "direct. It is decided anew when the grid changes.",
+        Patterns::Selection("automatic|direct|iterative"));
     prm.add_parameter("Tolerance", tolerance,
                       "Residual of the linear system of a step relative to the forces in it [1].");
     prm.add_parameter(
@@ -20,6 +29,10 @@ namespace caudal
         "Iterations after which an old factorisation is renewed, and after which a step "
         "with a new one has failed [1].",
         Patterns::Integer(2));
+    prm.add_parameter("Limit of the iterative method", limit_of_iterative_method,
+                      "Iterations after which a step by Method = iterative has failed; it keeps "
+                      "two vectors of each [1].",
+                      Patterns::Integer(2));
     prm.add_parameter(
         "Augmentation", augmentation,
         "Augmentation gamma of the momentum equation, in units of rho H^2/dt, H being "
@@ -57,6 +70,13 @@ namespace caudal
      * offers pivots in the mass. At all nodes it would take up to twice the time.
      */
     constexpr unsigned int nodes_per_anchor = 64;
+
+    /**
+     * In 3D factors grow with the 4/3rd power of the cells, and operations with the square: 12 s
+     * and 1.9 GiB at 2,077 cells are 70 s and 6 GiB at these. A constant, since decisions by
+     * measured times or by free memory would differ from run to run.
+     */
+    constexpr unsigned int most_cells_of_direct_method = 5000;
 
     // An old factorisation that was not worth it is tried again after this many steps at most.
     constexpr unsigned int longest_pause = 64;
@@ -156,14 +176,44 @@ namespace caudal
       , space(space)
       , momentum(momentum)
       , timer(timer)
+      , preconditioner(std::make_unique<BlockPreconditioner<dim>>(space, momentum))
       , direct_solver(space.get_communicator())
   {}
 
   template <int dim>
+  CoupledSolver<dim>::~CoupledSolver() = default;
+
+  template <int dim>
+  double CoupledSolver<dim>::get_factor_entries() const
+  {
+    return iterative ? preconditioner->get_schur_complement().get_factor_entries()
+                     : direct_solver.get_factor_entries();
+  }
+
+  template <int dim>
   void CoupledSolver<dim>::reinit()
   {
-    direct_solver.set_positions(get_positions(space.velocity_dofs));
+    iterative = parameters.method == "iterative" ||
+                (parameters.method == "automatic" && dim == 3 &&
+                 space.get_triangulation().n_global_active_cells() > most_cells_of_direct_method);
+    if (iterative)
+      preconditioner->reinit();
+    else
+      direct_solver.set_positions(get_positions(space.velocity_dofs));
     factorised_point.reset();
+    preconditioned_point.reset();
+  }
+
+  template <int dim>
+  std::string CoupledSolver<dim>::describe_method() const
+  {
+    std::string reason;
+    if (parameters.method == "automatic")
+      reason = dim == 2 ? ", in the plane"
+                        : ", on up to " + std::to_string(most_cells_of_direct_method) +
+                              " cells direct, on more iterative";
+    return "Linear solver: " + std::string(iterative ? "iterative" : "direct") +
+           " (Solver/Method = " + parameters.method + reason + ")";
   }
 
   template <int dim>
@@ -202,6 +252,81 @@ namespace caudal
   } // namespace
 
   template <int dim>
+  void CoupledSolver<dim>::set_up(const CoupledEquations<dim>                &equations,
+                                  const std::shared_ptr<const Linearisation> &point) const
+  {
+    TimerOutput::Scope timer_section(timer, "preconditioner");
+    const bool         is_known =
+        preconditioned_point != nullptr && preconditioned_point->has_same_matrix(*point);
+    preconditioned_point.reset(); // should it fail
+    if (is_known)
+      preconditioner->renew_equations(equations);
+    else
+    {
+      preconditioner->set_up(equations, point->weights);
+      ++n_factorisations;
+      if (preconditioner->get_schur_complement().has_pivoted())
+        ++n_pivoting_factorisations;
+    }
+    preconditioned_point = point;
+  }
+
+  template <int dim>
+  typename CoupledSolver<dim>::Solution
+  CoupledSolver<dim>::solve_iteratively(const CoupledEquations<dim> &equations,
+                                        const BlockFieldVector &rhs, const double reference,
+                                        const std::shared_ptr<const Linearisation> &point) const
+  {
+    set_up(equations, point);
+    TimerOutput::Scope timer_section(timer, "iterations");
+    BlockFieldVector   solution;
+    solution.reinit(rhs);
+    const IterationResult result = solve_by_conjugate_residuals(
+        equations, solution, rhs, *preconditioner, parameters.tolerance * reference,
+        parameters.limit_of_iterative_method);
+    if (!result.converged)
+      throw_stalled(equations, rhs, solution, reference);
+    preconditioner->remove_mean_pressure(solution.block(1));
+    return {equations.extract_correction(solution), result.n_iterations};
+  }
+
+  template <int dim>
+  void CoupledSolver<dim>::throw_stalled(const CoupledEquations<dim> &equations,
+                                         const BlockFieldVector      &rhs,
+                                         const BlockFieldVector      &solution,
+                                         const double                 reference) const
+  {
+    BlockFieldVector residual;
+    residual.reinit(rhs);
+    equations.vmult(residual, solution);
+    residual.sadd(-1, 1, rhs);
+    unsigned int       worst = 0;
+    std::ostringstream text;
+    text << std::setprecision(2) << "The iterative linear solver has stalled: after "
+         << parameters.limit_of_iterative_method
+         << " iterations (Solver/Limit of the iterative method) it leaves "
+         << residual.l2_norm() / reference << " of the forces, and Solver/Tolerance asks for "
+         << parameters.tolerance << ".";
+    for (unsigned int b = 1; b < residual.n_blocks(); ++b)
+      if (residual.block(b).l2_norm() > residual.block(worst).l2_norm())
+        worst = b;
+    if (worst == 0)
+      text << " Most of it is in the momentum equation, where viscosity and grad-div exceed the "
+              "inertia "
+           << preconditioner->compute_stiffness_ratio()
+           << " times; above ten, iterations are many. Reduce Time/Step or Fluid/Grad-div "
+              "stabilisation";
+    else if (worst == 1)
+      text << " Most of it is in the continuity equation, that is in the multigrid method for the "
+              "pressure. Give cells that are about as long as wide and high (Domain/Cells)";
+    else
+      text << " Most of it is in the equations of the bodies. Give elements about as large as the "
+              "fluid's finest cells (Shape/Elements), or reduce Time/Step";
+    text << ", increase the limit, or choose Solver/Method = direct.";
+    throw ExcStalled(text.str());
+  }
+
+  template <int dim>
   typename CoupledSolver<dim>::Solution
   CoupledSolver<dim>::solve(const CoupledUnknowns                      &residual,
                             const std::vector<BodyEquations<dim>>      &bodies,
@@ -213,6 +338,11 @@ namespace caudal
     const BlockFieldVector      rhs       = equations.make_right_hand_side(residual);
     const double                reference = std::max(scale, rhs.l2_norm());
     AssertThrow(std::isfinite(reference), ExcNotFinite("The forces on the fluid are"));
+    if (iterative)
+    {
+      memory = SolverMemory();
+      return solve_iteratively(equations, rhs, reference, point);
+    }
     BlockFieldVector solution;
     solution.reinit(rhs);
     const auto iterate = [&](const unsigned int n_most) {

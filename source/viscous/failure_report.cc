@@ -129,6 +129,9 @@ namespace caudal
                                                     : "the forces on a body change") +
                " too much within a step, or the tolerance is below the round-off: " + smaller_step +
                "increase Solver/Tolerance or Solver/Largest number of iterations." + advice;
+      case StepFailure::Kind::stalled:
+        return "Likely the forces change too much within a step: " + smaller_step +
+               "or choose Solver/Method = direct." + advice;
       case StepFailure::Kind::inverted_element:
         return "Likely the body is pushed together there faster than the step or its elements "
                "resolve: reduce Time/Step" +

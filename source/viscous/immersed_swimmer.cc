@@ -111,6 +111,8 @@ namespace caudal
     out << "), " << operators.space.velocity_dofs.n_dofs() << " velocity and "
         << operators.space.pressure_dofs.n_dofs() << " pressure unknowns, finest spacing "
         << spacing << " m\n";
+    if (dim == 3 || operators.solver.is_iterative())
+      out << operators.solver.describe_method() << ".\n";
     for (const auto &body : operators.bodies)
     {
       const SolidBody<dim> &solid = body->get_solid();

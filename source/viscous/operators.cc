@@ -89,6 +89,8 @@ namespace caudal
   template <int dim>
   double Operators<dim>::get_augmentation(const double inertia) const
   {
+    if (solver.is_iterative())
+      return 0;
     const double side = parameters.domain.get_shortest_side();
     return parameters.solver.augmentation * inertia * side * side;
   }

@@ -40,6 +40,19 @@ namespace caudal
     /** result += A^T source, of a matrix that is not square. Collective. */
     void Tvmult_add(FieldVector &result, const FieldVector &source) const;
 
+    /** result += the diagonal of a square matrix. Collective. */
+    void add_diagonal(FieldVector &result) const;
+
+    /**
+     * result += the diagonal of the sum of A_c^T W_c A_c, A_c the matrix of the cell c, for a
+     * matrix that is not square, with @p weights W_c of the cells in their order. Collective.
+     */
+    void add_diagonal_of_squares(const std::vector<const FullMatrix<double> *> &weights,
+                                 FieldVector                                   &result) const;
+
+    /** This rank's entries of a matrix that is not square: global rows and columns. */
+    Triplets to_triplets() const;
+
     /** Appends this rank's cells. They refer to this object and are valid until it changes. */
     void append_to(MatrixParts &matrix) const;
 

@@ -65,6 +65,15 @@ namespace caudal
       return divergence_matrix;
     }
 
+    /**
+     * The diagonal of A - gamma B^T M_p^-1 B, @p grad_div being gamma: A without its grad-div term
+     * as far as the pressure space can tell a divergence.
+     */
+    FieldVector compute_smooth_diagonal(double grad_div) const;
+
+    /** The diagonal of A. */
+    FieldVector compute_diagonal() const;
+
     /** B u with all, also the constrained, velocities. */
     FieldVector compute_divergence(const FieldVector &velocity) const;
 

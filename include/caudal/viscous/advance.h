@@ -25,6 +25,7 @@ namespace caudal
     enum class Kind
     {
       not_converged,
+      stalled,
       inverted_element,
       not_finite
     };
@@ -55,7 +56,8 @@ namespace caudal
   public:
     /**
      * Makes @p step of a new one, see caudal::advance(). Throws SolverControl::NoConvergence,
-     * ExcInvertedElement or ExcNotFinite if it fails; then @p step holds what it has come to.
+     * ExcStalled, ExcInvertedElement or ExcNotFinite if it fails; then @p step holds what it has
+     * come to.
      */
     virtual void advance(const Operators<dim> &operators, const State<dim> &state, double dt,
                          Step<dim> &step) const = 0;

@@ -101,6 +101,18 @@ namespace caudal
      */
     std::vector<int> get_group_begins(unsigned int most_per_anchor) const;
 
+    /** This rank's entries of all G, scale left out: their rows are those of dPhi's columns. */
+    Triplets collect_interactions() const;
+
+    /** The matrices of all bodies; numbered, as the rows of collect_interactions(), from 0. */
+    Triplets collect_body_matrix() const;
+
+    /** As get_group_begins(), of the bodies' unknowns alone. */
+    std::vector<int> get_body_group_begins(unsigned int most_per_anchor) const;
+
+    /** forces += factor sum_b G_b^T dPhi_b, from the block of the @p bodies. Collective. */
+    void add_forces(const FieldVector &bodies, double factor, FieldVector &forces) const;
+
   private:
     const MPI_Comm                         communicator;
     const unsigned int                     n_velocities;

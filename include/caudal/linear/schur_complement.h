@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef caudal_linear_schur_complement_h
+#define caudal_linear_schur_complement_h
+
+#include <caudal/linear/multifrontal.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace caudal
+{
+  /**
+   * An approximate solution of the saddle-point system with a diagonal matrix D in its corner,
+   *   D u + B^T q - G^T x = 0,   s B u = r_q,   E x - s G u = r_x,
+   * for the many multipliers q and the few unknowns x, of which rank 0 has all; without u it is
+   *   -s S q + s C^T x = r_q,   s C q + (E - s H) x = r_x,
+   *   S = B D^-1 B^T,  C = G D^-1 B^T,  H = G D^-1 G^T.
+   * One cycle of algebraic multigrid (Trilinos' ML; Vanek, Mandel & Brezina 1996,
+   * doi:10.1007/BF02238511) on S solves for all q; then a factorisation solves for the correction
+   * of all x together with those q all of whose u have entries in G: those are what the cycle alone
+   * can't see, since D is not what resists u there. The factorisation is rank 0's.
+   *
+   * Its factors and cycles are a function of the matrices, bit by bit. Member functions are
+   * collective.
+   */
+  class SchurComplement
+  {
+  public:
+    using FieldVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    explicit SchurComplement(MPI_Comm communicator);
+    ~SchurComplement();
+
+    /**
+     * Sets B. @p u and @p q have the layouts of these vectors, @p u with ghost entries for the
+     * columns of the rows of B that this rank owns. Of q, @p block_size at a time, with its first
+     * unknown on the same rank, belong to a cell. @p B: the rows that this rank owns.
+     */
+    void reinit(const FieldVector &u, const FieldVector &q, unsigned int block_size,
+                const Triplets &B);
+
+    /**
+     * Sets D, s, G and E. The rows of @p G, and rows and columns of @p E, which is that of rank 0,
+     * are numbered from 0. @p group_begins: see MultifrontalSolver; a second division into larger
+     * groups, @p larger_groups, is tried if the first has no sound pivots.
+     */
+    void factorize(const FieldVector &D, double s, const Triplets &G, const Triplets &E,
+                   const std::vector<int> &group_begins, const std::vector<int> &larger_groups);
+
+    /** An approximate solution; @p x and @p r_x may be empty. */
+    void solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,
+               const FieldVector &r_x) const;
+
+    /** Whether constant q are in the null space of B^T. */
+    bool is_singular() const;
+
+    /** Number of entries of the factors. */
+    double get_factor_entries() const;
+
+    /** Whether the last factorisation needed pivots from all rows, which is slow. */
+    bool has_pivoted() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace caudal
+
+#endif

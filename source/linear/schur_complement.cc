@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/collective.h>
+#include <caudal/linear/schur_complement.h>
+
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+using namespace dealii;
+
+namespace caudal
+{
+  namespace
+  {
+    using FieldVector = SchurComplement::FieldVector;
+    using Matrix      = TrilinosWrappers::SparseMatrix;
+    using BlockVector = LinearAlgebra::distributed::BlockVector<double>;
+
+    /**
+     * Where S is singular for constant multipliers, this part of its diagonal is added: far below
+     * its smallest other eigenvalue, far above round-off.
+     */
+    constexpr double regularisation = 1e-6;
+
+    struct Entry
+    {
+      int    row, column;
+      double value;
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int /*version*/)
+      {
+        archive &row &column &value;
+      }
+    };
+
+    /** All ranks' entries in the rows that this rank owns, its rows being consecutive ones. */
+    std::vector<Entry> send_to_owners(std::vector<Entry> own, const IndexSet &owned_rows,
+                                      const MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return own;
+      std::vector<unsigned int> ends = // of the ranks' rows
+          Utilities::MPI::all_gather(communicator,
+                                     static_cast<unsigned int>(owned_rows.n_elements()));
+      std::partial_sum(ends.begin(), ends.end(), ends.begin());
+      std::map<unsigned int, std::vector<Entry>> parts;
+      for (const Entry &entry : own)
+        parts[std::upper_bound(ends.begin(), ends.end(), static_cast<unsigned int>(entry.row)) -
+              ends.begin()]
+            .push_back(entry);
+      std::vector<Entry> received;
+      for (const auto &part : Utilities::MPI::some_to_some(communicator, parts))
+        received.insert(received.end(), part.second.begin(), part.second.end());
+      return received;
+    }
+
+    /** The sum of all ranks' entries, or its transpose. Collective. */
+    Matrix assemble(const Triplets &triplets, const bool transpose, const IndexSet &owned_rows,
+                    const IndexSet &owned_columns, const MPI_Comm communicator)
+    {
+      std::vector<Entry> entries;
+      entries.reserve(triplets.values.size());
+      for (std::size_t k = 0; k < triplets.values.size(); ++k)
+      {
+        const int row = triplets.rows[k], column = triplets.columns[k];
+        entries.push_back({transpose ? column : row, transpose ? row : column, triplets.values[k]});
+      }
+      entries = send_to_owners(std::move(entries), owned_rows, communicator);
+      std::stable_sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) {
+        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+      });
+
+      std::vector<unsigned int> lengths(owned_rows.n_elements());
+      for (const Entry &entry : entries)
+        ++lengths[owned_rows.index_within_set(entry.row)];
+      Matrix                               matrix(owned_rows, owned_columns, communicator, lengths);
+      std::vector<types::global_dof_index> columns;
+      std::vector<double>                  values;
+      for (std::size_t k = 0; k < entries.size(); ++k)
+      {
+        const Entry &entry = entries[k];
+        if (!columns.empty() && columns.back() == static_cast<unsigned int>(entry.column))
+          values.back() += entry.value;
+        else
+        {
+          columns.push_back(entry.column);
+          values.push_back(entry.value);
+        }
+        if (k + 1 == entries.size() || entries[k + 1].row != entry.row)
+        {
+          matrix.set(entry.row, columns.size(), columns.data(), values.data(), false);
+          columns.clear();
+          values.clear();
+        }
+      }
+      matrix.compress(VectorOperation::insert);
+      return matrix;
+    }
+
+    /** Calls operation(row, column, value) for this rank's entries. */
+    template <typename Operation>
+    void for_each_entry(const Matrix &matrix, const Operation &operation)
+    {
+      for (const auto row : matrix.locally_owned_range_indices())
+        for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+          operation(row, entry->column(), entry->value());
+    }
+
+    /** All ranks' entries on the root. Collective. */
+    Triplets gather(const Triplets &own, const MPI_Comm communicator)
+    {
+      Triplets   all;
+      const auto append = [&](const auto &parts, auto &whole) {
+        for (const auto &part : parts)
+          whole.insert(whole.end(), part.begin(), part.end());
+      };
+      append(Utilities::MPI::gather(communicator, own.rows), all.rows);
+      append(Utilities::MPI::gather(communicator, own.columns), all.columns);
+      append(Utilities::MPI::gather(communicator, own.values), all.values);
+      return all;
+    }
+  } // namespace
+
+  struct SchurComplement::Implementation
+  {
+    explicit Implementation(const MPI_Comm communicator)
+        : communicator(communicator)
+        , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
+        , near(MPI_COMM_SELF)
+    {}
+
+    void     set_divergence(const FieldVector &u, const FieldVector &q, unsigned int block_size,
+                            const Triplets &entries);
+    void     set_up_cycle();
+    void     find_enclosed(const FieldVector &u, const Matrix &G_transposed);
+    Triplets collect_near(const Triplets &E, const Matrix &H) const;
+    void     factorize_near(const Triplets &entries, const std::vector<int> &group_begins,
+                            const std::vector<int> &larger_groups);
+    void     add_near(FieldVector &q, FieldVector &x, const FieldVector &r_q,
+                      const FieldVector &r_x) const;
+
+    const MPI_Comm communicator;
+    const bool     is_root;
+
+    IndexSet              owned_u, owned_q, owned_x;
+    unsigned int          block_size = 1;
+    std::optional<Matrix> B, B_transposed;
+    bool                  is_singular = false; // for constant multipliers
+
+    double                            s = 1;
+    Matrix                            S, C;
+    TrilinosWrappers::PreconditionAMG cycle;
+
+    // The multipliers that are factorised, of all ranks, on all of them; the root has their values
+    // as ghost entries.
+    std::vector<types::global_dof_index> enclosed;
+    FieldVector                          with_enclosed;
+    MultifrontalSolver                   near; // of the root
+    double                               n_factor_entries = 0;
+    bool                                 pivoted          = false;
+  };
+
+  void SchurComplement::Implementation::set_divergence(const FieldVector &u, const FieldVector &q,
+                                                       const unsigned int n_per_cell,
+                                                       const Triplets    &entries)
+  {
+    owned_u    = u.locally_owned_elements();
+    owned_q    = q.locally_owned_elements();
+    block_size = n_per_cell;
+    B.emplace(assemble(entries, false, owned_q, owned_u, communicator));
+    B_transposed.emplace(assemble(entries, true, owned_u, owned_q, communicator));
+
+    FieldVector constant(owned_q, communicator), gradient(owned_u, communicator);
+    for (unsigned int i = 0; i < constant.locally_owned_size(); i += block_size)
+      constant.local_element(i) = 1;
+    B_transposed->vmult(gradient, constant);
+    is_singular = gradient.linfty_norm() < 1e-10 * B->linfty_norm();
+  }
+
+  void SchurComplement::Implementation::set_up_cycle()
+  {
+    const Epetra_CrsMatrix &matrix = S.trilinos_matrix();
+    // In each component of a cell's multipliers the constant vector is smooth.
+    Epetra_MultiVector smooth(matrix.DomainMap(), block_size);
+    for (unsigned int c = 0; c < block_size; ++c)
+      for (int i = c; i < smooth.MyLength(); i += block_size)
+        smooth[c][i] = 1;
+    Teuchos::ParameterList parameters;
+    parameters.set("prec type", "MGV");
+    parameters.set("max levels", 10);
+    parameters.set("PDE equations", static_cast<int>(block_size));
+    parameters.set("aggregation: type", "Uncoupled");
+    parameters.set("aggregation: threshold", 0.);
+    parameters.set("eigen-analysis: type", "Anorm"); // the others start from random numbers
+    parameters.set("smoother: type", "symmetric Gauss-Seidel");
+    parameters.set("smoother: sweeps", 2);
+    parameters.set("smoother: pre or post", "both");
+    parameters.set("coarse: type", "Amesos-KLU");
+    parameters.set("coarse: max size", 500);
+    parameters.set("ML output", 0);
+    parameters.set("null space: type", "pre-computed");
+    parameters.set("null space: dimension", smooth.NumVectors());
+    parameters.set("null space: vectors", smooth.Values());
+    cycle.initialize(matrix, parameters);
+  }
+
+  void SchurComplement::Implementation::find_enclosed(const FieldVector &u,
+                                                      const Matrix      &G_transposed)
+  {
+    FieldVector touched(u);
+    for (const auto i : owned_u)
+      touched(i) = G_transposed.row_length(i) > 0 ? 1 : 0;
+    touched.update_ghost_values();
+    std::vector<types::global_dof_index> own;
+    for (const auto row : owned_q)
+    {
+      bool all_touched = B->row_length(row) > 0;
+      for (auto entry = B->begin(row); all_touched && entry != B->end(row); ++entry)
+        all_touched = touched(entry->column()) != 0;
+      if (all_touched)
+        own.push_back(row);
+    }
+    enclosed.clear();
+    for (const auto &part : Utilities::MPI::all_gather(communicator, own))
+      enclosed.insert(enclosed.end(), part.begin(), part.end());
+    IndexSet ghosts(owned_q.size());
+    if (is_root)
+      ghosts.add_indices(enclosed.begin(), enclosed.end());
+    with_enclosed.reinit(owned_q, ghosts, communicator);
+  }
+
+  Triplets SchurComplement::Implementation::collect_near(const Triplets &E, const Matrix &H) const
+  {
+    const int  begin = enclosed.size(); // of x
+    const auto find  = [&](const types::global_dof_index q) -> int {
+      const auto place = std::lower_bound(enclosed.begin(), enclosed.end(), q);
+      return place == enclosed.end() || *place != q ? -1 : place - enclosed.begin();
+    };
+    Triplets own;
+    for (const auto q : enclosed)
+      if (owned_q.is_element(q))
+        for (auto entry = S.begin(q); entry != S.end(q); ++entry)
+          if (const int column = find(entry->column()); column >= 0)
+            own.add(find(q), column, -s * entry->value());
+    Triplets all = gather(own, communicator);
+    for_each_entry(C, [&](const int x, const types::global_dof_index q, const double value) {
+      if (const int place = find(q); place >= 0)
+      {
+        all.add(begin + x, place, s * value);
+        all.add(place, begin + x, s * value);
+      }
+    });
+    for_each_entry(H, [&](const int row, const int column, const double value) {
+      all.add(begin + row, begin + column, -s * value);
+    });
+    for (std::size_t k = 0; k < E.values.size(); ++k)
+      all.add(begin + E.rows[k], begin + E.columns[k], E.values[k]);
+    return all;
+  }
+
+  void SchurComplement::Implementation::factorize_near(const Triplets         &entries,
+                                                       const std::vector<int> &group_begins,
+                                                       const std::vector<int> &larger_groups)
+  {
+    const int  n_enclosed  = enclosed.size();
+    const auto make_begins = [&](const std::vector<int> &begins_of_x) {
+      std::vector<int> begins;
+      for (int i = 0; i < n_enclosed; i += block_size)
+        begins.push_back(i);
+      for (const int begin : begins_of_x)
+        begins.push_back(n_enclosed + begin);
+      return begins;
+    };
+    MatrixParts matrix;
+    matrix.entries = entries;
+    pivoted        = false;
+    if (!near.factorize(make_begins(group_begins), matrix) &&
+        !near.factorize(make_begins(larger_groups), matrix))
+    {
+      near.factorize_with_pivoting(n_enclosed + group_begins.back(), matrix);
+      pivoted = true;
+    }
+    n_factor_entries = near.get_factor_entries();
+  }
+
+  void SchurComplement::Implementation::add_near(FieldVector &q, FieldVector &x,
+                                                 const FieldVector &r_q,
+                                                 const FieldVector &r_x) const
+  {
+    FieldVector at_enclosed(with_enclosed);
+    at_enclosed.copy_locally_owned_data_from(r_q);
+    at_enclosed.update_ghost_values();
+    BlockVector near_part(1);
+    if (is_root)
+    {
+      const unsigned int n_enclosed = enclosed.size();
+      near_part.block(0).reinit(n_enclosed + r_x.size());
+      near_part.collect_sizes();
+      for (unsigned int k = 0; k < n_enclosed; ++k)
+        near_part.block(0)[k] = at_enclosed(enclosed[k]);
+      std::copy(r_x.begin(), r_x.end(), near_part.block(0).begin() + n_enclosed);
+      near.solve(near_part);
+    }
+    at_enclosed = 0;
+    at_enclosed.zero_out_ghost_values();
+    if (is_root)
+    {
+      const unsigned int n_enclosed = enclosed.size();
+      for (unsigned int k = 0; k < n_enclosed; ++k)
+        at_enclosed(enclosed[k]) = near_part.block(0)[k];
+      std::copy_n(near_part.block(0).begin() + n_enclosed, x.size(), x.begin());
+    }
+    at_enclosed.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
+      q.local_element(i) += at_enclosed.local_element(i);
+  }
+
+  SchurComplement::SchurComplement(const MPI_Comm communicator)
+      : implementation(std::make_unique<Implementation>(communicator))
+  {}
+
+  SchurComplement::~SchurComplement() = default;
+
+  void SchurComplement::reinit(const FieldVector &u, const FieldVector &q,
+                               const unsigned int block_size, const Triplets &B)
+  {
+    implementation->set_divergence(u, q, block_size, B);
+  }
+
+  void SchurComplement::factorize(const FieldVector &D, const double s, const Triplets &G,
+                                  const Triplets &E, const std::vector<int> &group_begins,
+                                  const std::vector<int> &larger_groups)
+  {
+    Implementation               &own = *implementation;
+    TrilinosWrappers::MPI::Vector inverse(own.owned_u, own.communicator);
+    for (const auto i : own.owned_u)
+      inverse(i) = 1 / D(i);
+    inverse.compress(VectorOperation::insert);
+
+    own.cycle.clear(); // it refers to the matrix of before
+    own.s = s;
+    own.B->mmult(own.S, *own.B_transposed, inverse);
+    if (own.is_singular)
+      for (const auto i : own.owned_q)
+        own.S.set(i, i, (1 + regularisation) * own.S.diag_element(i));
+    own.S.compress(VectorOperation::insert);
+    own.set_up_cycle();
+
+    const int n_x = group_begins.empty() ? 0 : group_begins.back();
+    own.owned_x   = IndexSet(n_x);
+    if (n_x == 0)
+      return;
+    if (own.is_root)
+      own.owned_x.add_range(0, n_x);
+    const Matrix G_matrix     = assemble(G, false, own.owned_x, own.owned_u, own.communicator);
+    const Matrix G_transposed = assemble(G, true, own.owned_u, own.owned_x, own.communicator);
+    Matrix       H;
+    G_matrix.mmult(own.C, *own.B_transposed, inverse);
+    G_matrix.mmult(H, G_transposed, inverse);
+    own.find_enclosed(D, G_transposed);
+    const Triplets entries = own.collect_near(E, H);
+    run_on_root(own.communicator,
+                [&]() { own.factorize_near(entries, group_begins, larger_groups); });
+  }
+
+  void SchurComplement::solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,
+                              const FieldVector &r_x) const
+  {
+    const Implementation &own = *implementation;
+    own.cycle.vmult(q, r_q);
+    q *= -1 / own.s;
+    if (own.owned_x.size() == 0)
+      return;
+    FieldVector rest_q(r_q), rest_x(r_x);
+    own.S.vmult(rest_q, q);
+    rest_q.sadd(own.s, 1, r_q);
+    own.C.vmult(rest_x, q);
+    rest_x.sadd(-own.s, 1, r_x);
+    own.add_near(q, x, rest_q, rest_x);
+  }
+
+  bool SchurComplement::is_singular() const
+  {
+    return implementation->is_singular;
+  }
+
+  double SchurComplement::get_factor_entries() const
+  {
+    return implementation->n_factor_entries;
+  }
+
+  bool SchurComplement::has_pivoted() const
+  {
+    return implementation->pivoted;
+  }
+} // namespace caudal

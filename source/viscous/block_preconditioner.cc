@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/viscous/block_preconditioner.h>
+
+#include <deal.II/base/subscriptor.h>
+#include <deal.II/lac/precondition.h>
+
+#include <algorithm>
+
+namespace caudal
+{
+  namespace
+  {
+    // Chebyshev's polynomial: its degree, and the largest eigenvalue over the smallest one that it
+    // is made for. Power iterations find the largest from below; an underestimate diverges.
+    constexpr unsigned int degree = 4, n_power_iterations = 20;
+    constexpr double       eigenvalue_range = 20;
+
+    /**
+     * At one node of a body in so many, velocity and force density are eliminated together: see
+     * CoupledSolver.
+     */
+    constexpr unsigned int nodes_per_anchor = 64;
+
+    class MomentumProduct : public Subscriptor
+    {
+    public:
+      explicit MomentumProduct(const CellwiseMatrix &matrix)
+          : matrix(matrix)
+      {}
+
+      void vmult(FieldVector &result, const FieldVector &source) const
+      {
+        matrix.vmult(result, source);
+      }
+
+    private:
+      const CellwiseMatrix &matrix;
+    };
+
+    class Jacobi
+    {
+    public:
+      explicit Jacobi(const FieldVector &diagonal)
+          : inverse(diagonal)
+      {
+        for (double &entry : inverse)
+          entry = 1 / entry;
+      }
+
+      void vmult(FieldVector &result, const FieldVector &source) const
+      {
+        result = source;
+        result.scale(inverse);
+      }
+
+    private:
+      FieldVector inverse;
+    };
+  } // namespace
+
+  template <int dim>
+  class BlockPreconditioner<dim>::VelocityBlock
+  {
+  public:
+    VelocityBlock(const CellwiseMatrix &matrix, const FieldVector &diagonal)
+        : product(matrix)
+    {
+      Chebyshev::AdditionalData data;
+      data.preconditioner       = std::make_shared<Jacobi>(diagonal);
+      data.degree               = degree;
+      data.smoothing_range      = eigenvalue_range;
+      data.eig_cg_n_iterations  = n_power_iterations;
+      data.eigenvalue_algorithm = Chebyshev::AdditionalData::EigenvalueAlgorithm::power_iteration;
+      polynomial.initialize(product, data);
+    }
+
+    void vmult(FieldVector &result, const FieldVector &source) const
+    {
+      polynomial.vmult(result, source);
+    }
+
+  private:
+    using Chebyshev = PreconditionChebyshev<MomentumProduct, FieldVector, Jacobi>;
+
+    const MomentumProduct product;
+    Chebyshev             polynomial;
+  };
+
+  template <int dim>
+  BlockPreconditioner<dim>::BlockPreconditioner(const FluidSpace<dim>       &space,
+                                                const MomentumOperator<dim> &momentum)
+      : space(space)
+      , momentum(momentum)
+      , schur_complement(space.get_communicator())
+  {}
+
+  template <int dim>
+  BlockPreconditioner<dim>::~BlockPreconditioner() = default;
+
+  template <int dim>
+  void BlockPreconditioner<dim>::reinit()
+  {
+    velocity_block.reset();
+    schur_complement.reinit(space.make_velocity_vector(), space.make_pressure_vector(),
+                            space.pressure_element.n_dofs_per_cell(),
+                            momentum.get_divergence_matrix().to_triplets());
+  }
+
+  template <int dim>
+  void BlockPreconditioner<dim>::set_up(const CoupledEquations<dim> &new_equations,
+                                        const MomentumWeights       &new_weights)
+  {
+    equations = &new_equations;
+    weights   = new_weights;
+    schur_complement.factorize(momentum.compute_smooth_diagonal(weights.grad_div), weights.inertia,
+                               equations->collect_interactions(), equations->collect_body_matrix(),
+                               equations->get_body_group_begins(nodes_per_anchor),
+                               equations->get_body_group_begins(1));
+    velocity_block =
+        std::make_unique<VelocityBlock>(momentum.get_matrix(), momentum.compute_diagonal());
+  }
+
+  template <int dim>
+  void BlockPreconditioner<dim>::vmult(BlockFieldVector       &result,
+                                       const BlockFieldVector &source) const
+  {
+    FieldVector  none;
+    const bool   has_bodies = source.n_blocks() == 3;
+    FieldVector &pressure   = result.block(1);
+    schur_complement.solve(pressure, has_bodies ? result.block(2) : none, source.block(1),
+                           has_bodies ? source.block(2) : none);
+    FieldVector local(source.block(1));
+    momentum.apply_inverse_pressure_mass(local);
+    pressure.add(-(weights.grad_div + weights.viscosity) / weights.inertia, local);
+
+    FieldVector forces;
+    forces.reinit(source.block(0));
+    momentum.get_divergence_matrix().Tvmult_add(forces, pressure);
+    forces.sadd(-1, 1, source.block(0));
+    if (has_bodies)
+      equations->add_forces(result.block(2), 1, forces);
+    velocity_block->vmult(result.block(0), forces);
+  }
+
+  template <int dim>
+  double BlockPreconditioner<dim>::compute_stiffness_ratio() const
+  {
+    FieldVector                          inertia = space.make_velocity_vector();
+    Vector<double>                       entries(space.velocity_element.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(entries.size());
+    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        const FullMatrix<double> &mass = space.get_cell_matrices(cell->level()).get_mass();
+        for (unsigned int i = 0; i < entries.size(); ++i)
+        {
+          const unsigned int s = space.velocity_element.system_to_component_index(i).second;
+          entries[i]           = weights.inertia * mass(s, s);
+        }
+        cell->get_dof_indices(dofs);
+        space.get_homogeneous_constraints().distribute_local_to_global(entries, dofs, inertia);
+      }
+    inertia.compress(VectorOperation::add);
+
+    const FieldVector   all = momentum.compute_diagonal();
+    std::vector<double> ratios;
+    for (const auto i : all.locally_owned_elements())
+      if (inertia(i) > 0)
+        ratios.push_back(all(i) / inertia(i));
+    const auto middle = ratios.begin() + ratios.size() / 2;
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return Utilities::MPI::max(ratios.empty() ? 0. : *middle, space.get_communicator());
+  }
+
+  template <int dim>
+  void BlockPreconditioner<dim>::remove_mean_pressure(FieldVector &pressure) const
+  {
+    if (!schur_complement.is_singular())
+      return;
+    // The first function of each cell is constant, and orthogonal to the others.
+    const unsigned int n_per_cell = space.pressure_element.n_dofs_per_cell();
+    FieldVector        inverse_volume;
+    inverse_volume.reinit(pressure);
+    for (unsigned int i = 0; i < pressure.locally_owned_size(); i += n_per_cell)
+      inverse_volume.local_element(i) = 1;
+    momentum.apply_inverse_pressure_mass(inverse_volume);
+    double integral = 0, volume = 0;
+    for (unsigned int i = 0; i < pressure.locally_owned_size(); i += n_per_cell)
+    {
+      integral += pressure.local_element(i) / inverse_volume.local_element(i);
+      volume += 1 / inverse_volume.local_element(i);
+    }
+    const double mean = Utilities::MPI::sum(integral, space.get_communicator()) /
+                        Utilities::MPI::sum(volume, space.get_communicator());
+    for (unsigned int i = 0; i < pressure.locally_owned_size(); i += n_per_cell)
+      pressure.local_element(i) -= mean;
+  }
+
+  template class BlockPreconditioner<2>;
+  template class BlockPreconditioner<3>;
+} // namespace caudal
