@@ -7,6 +7,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <Epetra_MultiVector.h>
+#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -107,6 +108,20 @@ namespace caudal
       return matrix;
     }
 
+    /**
+     * result = A source. deal.II's own product is a template of its library, whose name clang
+     * spells otherwise than gcc, which has built the library.
+     */
+    void multiply(const Matrix &A, FieldVector &result, const FieldVector &source)
+    {
+      const Epetra_CrsMatrix &matrix = A.trilinos_matrix();
+      // Epetra's views of constant data do not exist.
+      const Epetra_Vector from(View, matrix.DomainMap(), const_cast<double *>(source.begin()));
+      Epetra_Vector       to(View, matrix.RangeMap(), result.begin());
+      const int           error = matrix.Multiply(false, from, to);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+    }
+
     /** Calls operation(row, column, value) for this rank's entries. */
     template <typename Operation>
     void for_each_entry(const Matrix &matrix, const Operation &operation)
@@ -183,7 +198,7 @@ namespace caudal
     FieldVector constant(owned_q, communicator), gradient(owned_u, communicator);
     for (unsigned int i = 0; i < constant.locally_owned_size(); i += block_size)
       constant.local_element(i) = 1;
-    B_transposed->vmult(gradient, constant);
+    multiply(*B_transposed, gradient, constant);
     is_singular = gradient.linfty_norm() < 1e-10 * B->linfty_norm();
   }
 
@@ -382,9 +397,9 @@ namespace caudal
     if (own.owned_x.size() == 0)
       return;
     FieldVector rest_q(r_q), rest_x(r_x);
-    own.S.vmult(rest_q, q);
+    multiply(own.S, rest_q, q);
     rest_q.sadd(own.s, 1, r_q);
-    own.C.vmult(rest_x, q);
+    multiply(own.C, rest_x, q);
     rest_x.sadd(-own.s, 1, r_x);
     own.add_near(q, x, rest_q, rest_x);
   }
