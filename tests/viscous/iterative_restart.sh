@@ -4,7 +4,7 @@
 cat >ball.prm <<END
 include $CAUDAL_SOURCE_DIR/tests/viscous/iterative_ball.prm
 subsection Time
-  set End time = 0.08
+  set End time = 10
 end
 subsection Solver
   set Tolerance = 1e-8
