@@ -43,6 +43,9 @@ PICTURES = (
     draw("energy", "Where the muscles' work goes", "prm/laminar_fish.prm", "laminar_fish", "energy",
          "The ledger of the same run. The dashed line is the part of the dissipation that the grid "
          "takes and not viscosity: look at it before you quote a figure."),
+    draw("school", "Two fish in line", "prm/school_tandem.prm", "school_tandem", "vorticity",
+         "The second fish, half a length behind at the start, has come closer, beside the street of the "
+         "first: what each gains is in prm/README.md."),
     draw("eel", "An eel of prescribed deformation", "prm/eel.prm", "eel", "vorticity",
          "Carling's eel from rest, six periods: its deformation is prescribed, its way is not."),
     draw("foil", "A foil from gmsh in a flume", "prm/cookbook/gmsh.prm", "foil", "vorticity",
