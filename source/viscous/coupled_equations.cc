@@ -119,7 +119,7 @@ namespace caudal
       add(bodies[b].interaction.interpolate(source.block(0), /*homogeneous=*/true), begins[b],
           bodies[b].force_density, -scale, out);
     }
-    add_forces(source.block(2), -1, result.block(0));
+    spread(in, -1, result.block(0));
     std::copy_n(out.begin(), result.block(2).locally_owned_size(), result.block(2).begin());
   }
 
@@ -127,8 +127,14 @@ namespace caudal
   void CoupledEquations<dim>::add_forces(const FieldVector &unknowns, const double factor,
                                          FieldVector &forces) const
   {
-    const Vector<double> values = broadcast(unknowns);
-    FieldVector          sum;
+    spread(broadcast(unknowns), factor, forces);
+  }
+
+  template <int dim>
+  void CoupledEquations<dim>::spread(const Vector<double> &values, const double factor,
+                                     FieldVector &forces) const
+  {
+    FieldVector sum;
     sum.reinit(forces);
     for (unsigned int b = 0; b < bodies.size(); ++b)
       bodies[b].interaction.spread(extract(values, begins[b], bodies[b].force_density), sum);

@@ -120,6 +120,9 @@ namespace caudal
     const std::vector<BodyEquations<dim>> &bodies;
     const double                           scale;
     std::vector<unsigned int>              begins; // of the bodies' unknowns, and their number
+
+    /** As add_forces(), from the bodies' unknowns that all ranks have. */
+    void spread(const Vector<double> &values, double factor, FieldVector &forces) const;
   };
 } // namespace caudal
 

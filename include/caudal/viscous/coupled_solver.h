@@ -50,8 +50,10 @@ namespace caudal
                   const MomentumOperator<dim> &momentum, TimerOutput &timer);
     ~CoupledSolver();
 
-    /** Chooses the method for the present grid, and divides the unknowns among the
-     * ranks anew: to be called after each change of the grid. */
+    /**
+     * Chooses the method for the present grid, and divides the unknowns among the ranks anew: to be
+     * called after each change of the grid.
+     */
     void reinit();
 
     struct Solution
