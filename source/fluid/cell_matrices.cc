@@ -140,7 +140,8 @@ namespace caudal
     const NodalVectors nodal_transport = get_nodal_vectors(transport);
 
     // Streamline derivatives of the shape functions and their linear moments.
-    double derivatives[64][27], moments[dim + 1][27] = {};
+    FullMatrix<double> derivatives(n_q, n_s);
+    double             moments[dim + 1][27] = {};
     for (unsigned int q = 0; q < n_q; ++q)
     {
       Tensor<1, dim> w;
@@ -148,27 +149,30 @@ namespace caudal
         w += values(q, i) * nodal_transport[i];
       for (unsigned int i = 0; i < n_s; ++i)
       {
-        derivatives[q][i] = w * gradients[q][i];
+        derivatives(q, i) = w * gradients[q][i];
         for (unsigned int k = 0; k <= dim; ++k)
-          moments[k][i] += point_weight[q] * linear_values(q, k) * derivatives[q][i];
+          moments[k][i] += point_weight[q] * linear_values(q, k) * derivatives(q, i);
       }
     }
 
     const double tau = compute_stabilisation_weight(nodal_transport, density, stabilisation, rate);
-    matrix           = 0;
+    FullMatrix<double> weighted_values(n_q, n_s), weighted_derivatives(n_q, n_s);
     for (unsigned int q = 0; q < n_q; ++q)
-    {
-      const double advection = 0.5 * density * point_weight[q], diffusion = tau * point_weight[q];
       for (unsigned int i = 0; i < n_s; ++i)
-        for (unsigned int j = 0; j < n_s; ++j)
-          matrix(i, j) +=
-              advection * (values(q, i) * derivatives[q][j] - values(q, j) * derivatives[q][i]) +
-              diffusion * derivatives[q][i] * derivatives[q][j];
-    }
-    for (unsigned int k = 0; k <= dim; ++k)
-      for (unsigned int i = 0; i < n_s; ++i)
-        for (unsigned int j = 0; j < n_s; ++j)
+      {
+        weighted_values(q, i)      = 0.5 * density * point_weight[q] * values(q, i);
+        weighted_derivatives(q, i) = tau * point_weight[q] * derivatives(q, i);
+      }
+    FullMatrix<double> advection(n_s, n_s);
+    weighted_values.Tmmult(advection, derivatives);
+    weighted_derivatives.Tmmult(matrix, derivatives);
+    for (unsigned int i = 0; i < n_s; ++i)
+      for (unsigned int j = 0; j < n_s; ++j)
+      {
+        matrix(i, j) += advection(i, j) - advection(j, i);
+        for (unsigned int k = 0; k <= dim; ++k)
           matrix(i, j) -= tau * moments[k][i] * moments[k][j];
+      }
   }
 
   template <int dim>

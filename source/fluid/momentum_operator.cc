@@ -19,10 +19,10 @@ namespace caudal
     matrix_is_constant = false;
     divergence_matrix.reinit(space.pressure_dofs, space.velocity_dofs,
                              space.get_homogeneous_constraints());
-    unsigned int index = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        divergence_matrix.set(index++, space.get_cell_matrices(cell->level()).get_divergence());
+    std::vector<FullMatrix<double>> divergences;
+    for (unsigned int level = 0; level < space.get_triangulation().n_global_levels(); ++level)
+      divergences.push_back(space.get_cell_matrices(level).get_divergence());
+    divergence_matrix.set_level_matrices(std::move(divergences));
   }
 
   namespace
@@ -54,15 +54,6 @@ namespace caudal
           for (unsigned int s = 0; s < n_scalar; ++s)
             result[index[d][s]] -= weight * output[s];
         }
-      }
-
-      /** Adds the scalar matrix for all components. */
-      void add(const FullMatrix<double> &matrix, FullMatrix<double> &result) const
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          for (unsigned int s = 0; s < n_scalar; ++s)
-            for (unsigned int t = 0; t < n_scalar; ++t)
-              result(index[d][s], index[d][t]) += matrix(s, t);
       }
 
     private:
@@ -133,20 +124,29 @@ namespace caudal
           add_loads(tractions.get(cell), residual);
       }
 
-      /** residual -= the implicit terms of @p velocity, whose matrix is put into @p matrix. */
-      void subtract_implicit_terms(const Cell &cell, const FieldVector &velocity,
-                                   Vector<double> &residual, FullMatrix<double> &matrix)
+      /**
+       * residual -= the implicit terms of @p velocity. Returns the matrix of the convection, which
+       * is that of get_implicit_matrices() besides, or none.
+       */
+      const FullMatrix<double> *subtract_implicit_terms(const Cell        &cell,
+                                                        const FieldVector &velocity,
+                                                        Vector<double>    &residual)
       {
-        matrix = implicit_matrices[cell->level()];
-        if (step.transport != nullptr)
-        {
-          cell->get_dof_values(*step.transport, transport);
-          compute_convection(cell, transport);
-          componentwise.add(convection, matrix);
-        }
         cell->get_dof_values(velocity, values);
-        matrix.vmult(product, values);
+        implicit_matrices[cell->level()].vmult(product, values);
         residual -= product;
+        if (step.transport == nullptr)
+          return nullptr;
+        cell->get_dof_values(*step.transport, transport);
+        compute_convection(cell, transport);
+        componentwise.subtract(1, convection, values, residual);
+        return &convection;
+      }
+
+      /** The constant parts of the implicit terms, for each level. */
+      const std::vector<FullMatrix<double>> &get_implicit_matrices() const
+      {
+        return implicit_matrices;
       }
 
     private:
@@ -224,24 +224,29 @@ namespace caudal
     FieldVector residual = space.make_velocity_vector();
 
     const unsigned int                   n = space.velocity_element.n_dofs_per_cell();
-    FullMatrix<double>                   cell_matrix(n, n);
     Vector<double>                       cell_residual(n);
     std::vector<types::global_dof_index> dofs(n);
     // A body force or a traction may fail on the cells of one rank only.
     const std::string error = catch_error([&]() {
       CellAssembler<dim> assembler(space, step);
-      unsigned int       index = 0;
+      if (matrix_changes)
+      {
+        matrix.set_level_matrices(assembler.get_implicit_matrices());
+        matrix.clear_scalar_matrices();
+      }
+      unsigned int index = 0;
       for (const auto &cell : space.velocity_dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
           cell_residual = 0;
           assembler.add_known_terms(cell, pressure, cell_residual);
-          assembler.subtract_implicit_terms(cell, velocity, cell_residual, cell_matrix);
+          const FullMatrix<double> *convection =
+              assembler.subtract_implicit_terms(cell, velocity, cell_residual);
           cell->get_dof_indices(dofs);
           space.get_homogeneous_constraints().distribute_local_to_global(cell_residual, dofs,
                                                                          residual);
-          if (matrix_changes)
-            matrix.set(index++, cell_matrix);
+          if (convection != nullptr)
+            matrix.set_scalar_matrix(index++, *convection);
         }
     });
     residual.compress(VectorOperation::add);

@@ -122,13 +122,34 @@ namespace caudal
       AssertThrow(error == 0, ExcTrilinosError(error));
     }
 
+    /**
+     * Calls operation(column, value) for the entries of a row that this rank owns. deal.II's
+     * iterators copy the row into arrays as long as the matrix has columns.
+     */
+    template <typename Operation>
+    void for_each_entry_of_row(const Matrix &matrix, const types::global_dof_index row,
+                               const Operation &operation)
+    {
+      const Epetra_CrsMatrix &entries = matrix.trilinos_matrix();
+      int                     n = 0, *columns = nullptr;
+      double                 *values = nullptr;
+      const int               error =
+          entries.ExtractMyRowView(entries.LRID(static_cast<int>(row)), n, values, columns);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      const int *global_columns = entries.ColMap().MyGlobalElements();
+      for (int k = 0; k < n; ++k)
+        operation(static_cast<types::global_dof_index>(global_columns[columns[k]]), values[k]);
+    }
+
     /** Calls operation(row, column, value) for this rank's entries. */
     template <typename Operation>
     void for_each_entry(const Matrix &matrix, const Operation &operation)
     {
       for (const auto row : matrix.locally_owned_range_indices())
-        for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-          operation(row, entry->column(), entry->value());
+        for_each_entry_of_row(matrix, row,
+                              [&](const types::global_dof_index column, const double value) {
+                                operation(row, column, value);
+                              });
     }
 
     /** All ranks' entries on the root. Collective. */
@@ -217,8 +238,9 @@ namespace caudal
     parameters.set("aggregation: type", "Uncoupled");
     parameters.set("aggregation: threshold", 0.);
     parameters.set("eigen-analysis: type", "Anorm"); // the others start from random numbers
-    parameters.set("smoother: type", "symmetric Gauss-Seidel");
+    parameters.set("smoother: type", "Gauss-Seidel");
     parameters.set("smoother: sweeps", 2);
+    parameters.set("smoother: Gauss-Seidel efficient symmetric", true);
     parameters.set("smoother: pre or post", "both");
     parameters.set("coarse: type", "Amesos-KLU");
     parameters.set("coarse: max size", 500);
@@ -240,8 +262,9 @@ namespace caudal
     for (const auto row : owned_q)
     {
       bool all_touched = B->row_length(row) > 0;
-      for (auto entry = B->begin(row); all_touched && entry != B->end(row); ++entry)
-        all_touched = touched(entry->column()) != 0;
+      for_each_entry_of_row(*B, row, [&](const types::global_dof_index column, double) {
+        all_touched &= touched(column) != 0;
+      });
       if (all_touched)
         own.push_back(row);
     }
@@ -264,9 +287,13 @@ namespace caudal
     Triplets own;
     for (const auto q : enclosed)
       if (owned_q.is_element(q))
-        for (auto entry = S.begin(q); entry != S.end(q); ++entry)
-          if (const int column = find(entry->column()); column >= 0)
-            own.add(find(q), column, -s * entry->value());
+      {
+        const int row = find(q);
+        for_each_entry_of_row(S, q, [&](const types::global_dof_index q2, const double value) {
+          if (const int column = find(q2); column >= 0)
+            own.add(row, column, -s * value);
+        });
+      }
     Triplets all = gather(own, communicator);
     for_each_entry(C, [&](const int x, const types::global_dof_index q, const double value) {
       if (const int place = find(q); place >= 0)

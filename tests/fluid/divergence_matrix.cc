@@ -52,10 +52,10 @@ namespace
     hanging_nodes.close();
     CellwiseMatrix divergence;
     divergence.reinit(space.pressure_dofs, space.velocity_dofs, hanging_nodes);
-    unsigned int index = 0;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        divergence.set(index++, space.get_cell_matrices(cell->level()).get_divergence());
+    std::vector<FullMatrix<double>> matrices;
+    for (unsigned int level = 0; level < triangulation.n_global_levels(); ++level)
+      matrices.push_back(space.get_cell_matrices(level).get_divergence());
+    divergence.set_level_matrices(matrices);
 
     FieldVector velocity = space.make_velocity_vector(), gradient = space.make_velocity_vector();
     VectorTools::interpolate(space.velocity_dofs, Squares<dim>(), velocity);

@@ -41,6 +41,8 @@ namespace caudal
   {
     std::vector<ElementMatrix> elements;
     Triplets                   entries;
+    /** Values of elements that nobody else keeps. */
+    std::vector<std::vector<double>> storage{};
 
     Triplets to_triplets() const;
   };
