@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "elimination_tree.h"
-
-#include <deal.II/base/exceptions.h>
-
-#include <cholmod.h>
+#include "cholmod_context.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,66 +12,6 @@ namespace caudal
 {
   namespace
   {
-    /** CHOLMOD's settings and its work space. */
-    class Cholmod
-    {
-    public:
-      Cholmod()
-      {
-        cholmod_start(&data);
-        data.supernodal         = CHOLMOD_SUPERNODAL;
-        data.nmethods           = 1;
-        data.method[0].ordering = CHOLMOD_GIVEN;
-        data.postorder          = 1;
-        data.print              = 0;
-        // Fronts are joined where that adds few zeros. With CHOLMOD's own limits, which are meant
-        // for single unknowns rather than groups, there are a tenth more operations.
-        data.nrelax[0] = 2;
-        data.nrelax[1] = 8;
-        data.nrelax[2] = 24;
-      }
-
-      ~Cholmod()
-      {
-        cholmod_finish(&data);
-      }
-
-      Cholmod(const Cholmod &)            = delete;
-      Cholmod &operator=(const Cholmod &) = delete;
-
-      operator cholmod_common *()
-      {
-        return &data;
-      }
-
-      struct Free
-      {
-        cholmod_common *data;
-
-        void operator()(cholmod_sparse *matrix) const
-        {
-          cholmod_free_sparse(&matrix, data);
-        }
-      };
-      using Matrix = std::unique_ptr<cholmod_sparse, Free>;
-
-      Matrix own(cholmod_sparse *matrix)
-      {
-        check(matrix != nullptr);
-        return Matrix(matrix, Free{&data});
-      }
-
-      void check(const bool succeeded) const
-      {
-        AssertThrow(succeeded && data.status >= CHOLMOD_OK,
-                    ExcMessage("The direct solver's analysis (CHOLMOD) failed with status " +
-                               std::to_string(data.status) + " (-2: out of memory)."));
-      }
-
-    private:
-      cholmod_common data;
-    };
-
     /** What couples groups: the elements' groups without repetition, and pairs of groups. */
     struct Cliques
     {
@@ -206,17 +143,19 @@ namespace caudal
   void EliminationTree::find_fronts(const std::vector<int> &group_begins, const MatrixParts &matrix,
                                     const int first_kept_group, const std::vector<int> &group_of)
   {
-    const int              n_groups = group_begins.size() - 1;
-    Cholmod                cholmod;
+    const int n_groups = group_begins.size() - 1;
+    Cholmod   cholmod(CHOLMOD_GIVEN);
+    // Fronts are joined where that adds few zeros. With CHOLMOD's own limits, which are meant for
+    // single unknowns rather than groups, there are a tenth more operations.
+    cholmod.data.nrelax[0] = 2;
+    cholmod.data.nrelax[1] = 8;
+    cholmod.data.nrelax[2] = 24;
     Cliques                cliques(group_of, n_groups, matrix);
     const auto             couplings = find_pattern(cholmod, n_groups, cliques);
     const std::vector<int> order     = find_order(cholmod, *couplings, first_kept_group);
 
-    const auto free_factor = [&](cholmod_factor *factor) { cholmod_free_factor(&factor, cholmod); };
-    const std::unique_ptr<cholmod_factor, decltype(free_factor)> factor(
-        cholmod_analyze_p(couplings.get(), const_cast<int *>(order.data()), nullptr, 0, cholmod),
-        free_factor);
-    cholmod.check(factor != nullptr);
+    const auto factor = cholmod.own(
+        cholmod_analyze_p(couplings.get(), const_cast<int *>(order.data()), nullptr, 0, cholmod));
     const auto *groups = static_cast<const int *>(factor->Perm);
     const auto *first  = static_cast<const int *>(factor->super); // places of the first pivots
     const auto *begin  = static_cast<const int *>(factor->pi);    // of a front in `rows`

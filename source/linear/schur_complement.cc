@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
+#include <caudal/linear/near_system.h>
 #include <caudal/linear/schur_complement.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -24,7 +25,6 @@ namespace caudal
   {
     using FieldVector = SchurComplement::FieldVector;
     using Matrix      = TrilinosWrappers::SparseMatrix;
-    using BlockVector = LinearAlgebra::distributed::BlockVector<double>;
 
     /**
      * Where S is singular for constant multipliers, this part of its diagonal is added: far below
@@ -172,16 +172,13 @@ namespace caudal
     explicit Implementation(const MPI_Comm communicator)
         : communicator(communicator)
         , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
-        , near(MPI_COMM_SELF)
     {}
 
     void     set_divergence(const FieldVector &u, const FieldVector &q, unsigned int block_size,
                             const Triplets &entries);
     void     set_up_cycle();
     void     find_enclosed(const FieldVector &u, const Matrix &G_transposed);
-    Triplets collect_near(const Triplets &E, const Matrix &H) const;
-    void     factorize_near(const Triplets &entries, const std::vector<int> &group_begins,
-                            const std::vector<int> &larger_groups);
+    Triplets collect_near(const Matrix &H) const;
     void     add_near(FieldVector &q, FieldVector &x, const FieldVector &r_q,
                       const FieldVector &r_x) const;
 
@@ -201,9 +198,7 @@ namespace caudal
     // as ghost entries.
     std::vector<types::global_dof_index> enclosed;
     FieldVector                          with_enclosed;
-    MultifrontalSolver                   near; // of the root
-    double                               n_factor_entries = 0;
-    bool                                 pivoted          = false;
+    NearSystem                           near; // of the root
   };
 
   void SchurComplement::Implementation::set_divergence(const FieldVector &u, const FieldVector &q,
@@ -277,7 +272,7 @@ namespace caudal
     with_enclosed.reinit(owned_q, ghosts, communicator);
   }
 
-  Triplets SchurComplement::Implementation::collect_near(const Triplets &E, const Matrix &H) const
+  Triplets SchurComplement::Implementation::collect_near(const Matrix &H) const
   {
     const int  begin = enclosed.size(); // of x
     const auto find  = [&](const types::global_dof_index q) -> int {
@@ -290,49 +285,19 @@ namespace caudal
       {
         const int row = find(q);
         for_each_entry_of_row(S, q, [&](const types::global_dof_index q2, const double value) {
-          if (const int column = find(q2); column >= 0)
-            own.add(row, column, -s * value);
+          if (const int column = find(q2); column >= 0 && column <= row)
+            own.add(row, column, value);
         });
       }
     Triplets all = gather(own, communicator);
     for_each_entry(C, [&](const int x, const types::global_dof_index q, const double value) {
       if (const int place = find(q); place >= 0)
-      {
-        all.add(begin + x, place, s * value);
-        all.add(place, begin + x, s * value);
-      }
+        all.add(begin + x, place, -value);
     });
     for_each_entry(H, [&](const int row, const int column, const double value) {
-      all.add(begin + row, begin + column, -s * value);
+      all.add(begin + row, begin + column, value);
     });
-    for (std::size_t k = 0; k < E.values.size(); ++k)
-      all.add(begin + E.rows[k], begin + E.columns[k], E.values[k]);
     return all;
-  }
-
-  void SchurComplement::Implementation::factorize_near(const Triplets         &entries,
-                                                       const std::vector<int> &group_begins,
-                                                       const std::vector<int> &larger_groups)
-  {
-    const int  n_enclosed  = enclosed.size();
-    const auto make_begins = [&](const std::vector<int> &begins_of_x) {
-      std::vector<int> begins;
-      for (int i = 0; i < n_enclosed; i += block_size)
-        begins.push_back(i);
-      for (const int begin : begins_of_x)
-        begins.push_back(n_enclosed + begin);
-      return begins;
-    };
-    MatrixParts matrix;
-    matrix.entries = entries;
-    pivoted        = false;
-    if (!near.factorize(make_begins(group_begins), matrix) &&
-        !near.factorize(make_begins(larger_groups), matrix))
-    {
-      near.factorize_with_pivoting(n_enclosed + group_begins.back(), matrix);
-      pivoted = true;
-    }
-    n_factor_entries = near.get_factor_entries();
   }
 
   void SchurComplement::Implementation::add_near(FieldVector &q, FieldVector &x,
@@ -342,15 +307,13 @@ namespace caudal
     FieldVector at_enclosed(with_enclosed);
     at_enclosed.copy_locally_owned_data_from(r_q);
     at_enclosed.update_ghost_values();
-    BlockVector near_part(1);
+    Vector<double> near_part;
     if (is_root)
     {
-      const unsigned int n_enclosed = enclosed.size();
-      near_part.block(0).reinit(n_enclosed + r_x.size());
-      near_part.collect_sizes();
-      for (unsigned int k = 0; k < n_enclosed; ++k)
-        near_part.block(0)[k] = at_enclosed(enclosed[k]);
-      std::copy(r_x.begin(), r_x.end(), near_part.block(0).begin() + n_enclosed);
+      near_part.reinit(enclosed.size() + r_x.size());
+      for (unsigned int k = 0; k < enclosed.size(); ++k)
+        near_part[k] = at_enclosed(enclosed[k]);
+      std::copy(r_x.begin(), r_x.end(), near_part.begin() + enclosed.size());
       near.solve(near_part);
     }
     at_enclosed = 0;
@@ -359,8 +322,8 @@ namespace caudal
     {
       const unsigned int n_enclosed = enclosed.size();
       for (unsigned int k = 0; k < n_enclosed; ++k)
-        at_enclosed(enclosed[k]) = near_part.block(0)[k];
-      std::copy_n(near_part.block(0).begin() + n_enclosed, x.size(), x.begin());
+        at_enclosed(enclosed[k]) = near_part[k];
+      std::copy_n(near_part.begin() + n_enclosed, x.size(), x.begin());
     }
     at_enclosed.compress(VectorOperation::add);
     for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
@@ -380,8 +343,8 @@ namespace caudal
   }
 
   void SchurComplement::factorize(const FieldVector &D, const double s, const Triplets &G,
-                                  const Triplets &E, const std::vector<int> &group_begins,
-                                  const std::vector<int> &larger_groups)
+                                  const Triplets &E, const unsigned int n_x,
+                                  const std::vector<BodyPlaces> &bodies)
   {
     Implementation               &own = *implementation;
     TrilinosWrappers::MPI::Vector inverse(own.owned_u, own.communicator);
@@ -398,8 +361,7 @@ namespace caudal
     own.S.compress(VectorOperation::insert);
     own.set_up_cycle();
 
-    const int n_x = group_begins.empty() ? 0 : group_begins.back();
-    own.owned_x   = IndexSet(n_x);
+    own.owned_x = IndexSet(n_x);
     if (n_x == 0)
       return;
     if (own.is_root)
@@ -410,9 +372,10 @@ namespace caudal
     G_matrix.mmult(own.C, *own.B_transposed, inverse);
     G_matrix.mmult(H, G_transposed, inverse);
     own.find_enclosed(D, G_transposed);
-    const Triplets entries = own.collect_near(E, H);
-    run_on_root(own.communicator,
-                [&]() { own.factorize_near(entries, group_begins, larger_groups); });
+    Triplets J = own.collect_near(H);
+    run_on_root(own.communicator, [&]() {
+      own.near.factorize(own.enclosed.size(), n_x, bodies, s, std::move(J), E);
+    });
   }
 
   void SchurComplement::solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,
@@ -438,11 +401,11 @@ namespace caudal
 
   double SchurComplement::get_factor_entries() const
   {
-    return implementation->n_factor_entries;
+    return implementation->near.get_factor_entries();
   }
 
   bool SchurComplement::has_pivoted() const
   {
-    return implementation->pivoted;
+    return implementation->near.has_pivoted();
   }
 } // namespace caudal

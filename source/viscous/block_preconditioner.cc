@@ -15,12 +15,6 @@ namespace caudal
     constexpr unsigned int degree = 4, n_power_iterations = 20;
     constexpr double       eigenvalue_range = 20;
 
-    /**
-     * At one node of a body in so many, velocity and force density are eliminated together: see
-     * CoupledSolver.
-     */
-    constexpr unsigned int nodes_per_anchor = 64;
-
     class MomentumProduct : public Subscriptor
     {
     public:
@@ -114,8 +108,7 @@ namespace caudal
     weights   = new_weights;
     schur_complement.factorize(momentum.compute_smooth_diagonal(weights.grad_div), weights.inertia,
                                equations->collect_interactions(), equations->collect_body_matrix(),
-                               equations->get_body_group_begins(nodes_per_anchor),
-                               equations->get_body_group_begins(1));
+                               equations->get_n_body_unknowns(), equations->get_body_places());
     velocity_block =
         std::make_unique<VelocityBlock>(momentum.get_matrix(), momentum.compute_diagonal());
   }

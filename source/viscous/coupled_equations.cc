@@ -195,19 +195,9 @@ namespace caudal
     std::vector<int> groups;
     for (unsigned int i = 0; i < n_velocities; i += dim)
       groups.push_back(i);
-    for (const int begin : get_body_group_begins(most_per_anchor))
-      groups.push_back(n_velocities + begin);
-    return groups;
-  }
-
-  template <int dim>
-  std::vector<int>
-  CoupledEquations<dim>::get_body_group_begins(const unsigned int most_per_anchor) const
-  {
-    std::vector<int> groups;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      const int          begin   = begins[b];
+      const int          begin   = n_velocities + begins[b];
       const unsigned int n_nodes = bodies[b].velocity.size / dim;
       const unsigned int spacing = std::clamp(n_nodes / fewest_anchors, 1u, most_per_anchor);
       for (unsigned int node = 0; node < n_nodes; ++node)
@@ -219,8 +209,25 @@ namespace caudal
       if (bodies[b].frame.size > 0)
         groups.push_back(begin + bodies[b].frame[0]);
     }
-    groups.push_back(begins.back());
+    groups.push_back(n_velocities + begins.back());
     return groups;
+  }
+
+  template <int dim>
+  std::vector<BodyPlaces> CoupledEquations<dim>::get_body_places() const
+  {
+    std::vector<BodyPlaces> all;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      BodyPlaces places{dim, {}, {}};
+      for (unsigned int i = 0; i < bodies[b].velocity.size; ++i)
+      {
+        places.force.push_back(begins[b] + bodies[b].force_density[i]);
+        places.velocity.push_back(begins[b] + bodies[b].velocity[i]);
+      }
+      all.push_back(std::move(places));
+    }
+    return all;
   }
 
   template class CoupledEquations<2>;

@@ -2,7 +2,7 @@
 #ifndef caudal_linear_schur_complement_h
 #define caudal_linear_schur_complement_h
 
-#include <caudal/linear/multifrontal.h>
+#include <caudal/linear/near_system.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -18,9 +18,9 @@ namespace caudal
    *   -s S q + s C^T x = r_q,   s C q + (E - s H) x = r_x,
    *   S = B D^-1 B^T,  C = G D^-1 B^T,  H = G D^-1 G^T.
    * One cycle of algebraic multigrid (Trilinos' ML; Vanek, Mandel & Brezina 1996,
-   * doi:10.1007/BF02238511) on S solves for all q; then a factorisation solves for the correction
+   * doi:10.1007/BF02238511) on S solves for all q; then the NearSystem of rank 0 for the correction
    * of all x together with those q all of whose u have entries in G: those are what the cycle alone
-   * can't see, since D is not what resists u there. The factorisation is rank 0's.
+   * can't see, since D is not what resists u there.
    *
    * Its factors and cycles are a function of the matrices, bit by bit. Member functions are
    * collective.
@@ -43,11 +43,10 @@ namespace caudal
 
     /**
      * Sets D, s, G and E. The rows of @p G, and rows and columns of @p E, which is that of rank 0,
-     * are numbered from 0. @p group_begins: see MultifrontalSolver; a second division into larger
-     * groups, @p larger_groups, is tried if the first has no sound pivots.
+     * are numbered from 0 to @p n_x; @p bodies says which of them are whose.
      */
     void factorize(const FieldVector &D, double s, const Triplets &G, const Triplets &E,
-                   const std::vector<int> &group_begins, const std::vector<int> &larger_groups);
+                   unsigned int n_x, const std::vector<BodyPlaces> &bodies);
 
     /** An approximate solution; @p x and @p r_x may be empty. */
     void solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,
@@ -59,7 +58,8 @@ namespace caudal
     /** Number of entries of the factors. */
     double get_factor_entries() const;
 
-    /** Whether the last factorisation needed pivots from all rows, which is slow. */
+    /** Whether the last factorisation needed pivots from all rows, which is slow: see NearSystem.
+     */
     bool has_pivoted() const;
 
   private:

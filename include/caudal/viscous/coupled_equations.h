@@ -4,7 +4,7 @@
 
 #include <caudal/coupling/interaction_operator.h>
 #include <caudal/fluid/momentum_operator.h>
-#include <caudal/linear/multifrontal.h>
+#include <caudal/linear/near_system.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -107,8 +107,13 @@ namespace caudal
     /** The matrices of all bodies; numbered, as the rows of collect_interactions(), from 0. */
     Triplets collect_body_matrix() const;
 
-    /** As get_group_begins(), of the bodies' unknowns alone. */
-    std::vector<int> get_body_group_begins(unsigned int most_per_anchor) const;
+    /** Places of all bodies' velocities and force densities among their unknowns. */
+    std::vector<BodyPlaces> get_body_places() const;
+
+    unsigned int get_n_body_unknowns() const
+    {
+      return begins.back();
+    }
 
     /** forces += factor sum_b G_b^T dPhi_b, from the block of the @p bodies. Collective. */
     void add_forces(const FieldVector &bodies, double factor, FieldVector &forces) const;
