@@ -30,8 +30,9 @@ namespace caudal
         "Grad-div stabilisation", grad_div,
         "Coefficient gamma of the term rho gamma (div u, div v) [m^2/s]; automatic: a tenth of "
         "speed times length, of inflows, initial velocity and swimming bodies as far as the "
-        "parameters tell, else 1. More stiffens the cells that the bodies' faces cut. Flows at "
-        "Reynolds numbers of 1e6 may need more.",
+        "parameters tell, else 1; in 3D at most three times the square of the finest spacing of "
+        "nodes over Time/Step, which the iterative solver bears. More stiffens the cells that the "
+        "bodies' faces cut. Flows at Reynolds numbers of 1e6 may need more.",
         Patterns::Anything());
     prm.add_parameter("Convection stabilisation", convection_stabilisation,
                       "Coefficient c of the local projection stabilisation of the streamline "
