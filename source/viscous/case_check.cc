@@ -89,6 +89,13 @@ namespace caudal
     const Point<dim>      lower   = parameters.domain.lower_corner;
     const Point<dim>      upper   = lower + parameters.domain.size;
     const Tensor<1, dim>  forward = -solid.get_initial_axis(0);
+    const Expression<dim> initial_velocity("Fluid/Initial velocity",
+                                           parameters.fluid.initial_velocity, dim);
+    Point<dim>            first_node;
+    for (unsigned int d = 0; d < dim; ++d)
+      first_node[d] = solid.get_initial_positions()[solid.get_nodes().front()[d]];
+    for (unsigned int d = 0; d < dim; ++d)
+      body.adverse_current -= forward[d] * initial_velocity.value(first_node, d);
     body.nearest_side = body.room_ahead = std::numeric_limits<double>::infinity();
     for (const auto &node : solid.get_nodes())
       for (unsigned int d = 0; d < dim; ++d)

@@ -151,4 +151,9 @@ warn "grad-div stabilisation" -D "Fluid/Boundary conditions/left=wall" -D "Fluid
   -D "Body fish/Gait/Type=travelling wave" -D "Body fish/Region head/Feedback stiffness=0" \
   -D "Body fish/Shape/Region boundaries=0.5" -D "Refinement/Vorticity threshold=0.1" \
   -D "Body fish/Gait damping=1e4" -D "Time/End time=0.5" -D "Fluid/Grad-div stabilisation=1"
+warn "too little grad-div stabilisation for the step" -D "Fluid/Grad-div stabilisation=1e-5"
+warn "a swimmer in a current, which takes a part of its way" \
+  -D "Body fish/Gait/Type=travelling wave" -D "Body fish/Region head/Feedback stiffness=0" \
+  -D "Body fish/Shape/Region boundaries=0.5" -D "Refinement/Vorticity threshold=0.1" \
+  -D "Body fish/Gait damping=1e4" -D "Time/End time=5" -D "Fluid/Initial velocity=0.3; 0"
 warn "a symmetric body that is free" -D "Body fish/Density=1100" -D "Body fish/Region head/Feedback stiffness=0"

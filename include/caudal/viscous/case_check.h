@@ -45,6 +45,7 @@ namespace caudal
       std::string              path;
       BodyResolution<dim>      resolution;
       double                   room_ahead       = 0;  // to the side that it swims to [m]
+      double                   adverse_current  = 0;  // of the water at the start [m/s]
       double                   nearest_side     = 0;  // [m]
       double                   wave_speed       = 0;  // of the fastest elastic waves [m/s]
       double                   material_speed   = 0;  // likewise, without numerical stabilisations
