@@ -39,7 +39,8 @@ namespace caudal
 
   template <int dim>
   CaseCheck<dim>::CaseCheck(const Operators<dim> &operators, const unsigned int n_cells)
-      : parameters(operators.parameters)
+      : operators(operators)
+      , parameters(operators.parameters)
       , scales(operators.scales)
       , grad_div(operators.space.get_grad_div())
       , outflow_change(check_boundary_flux(operators.space, operators.parameters.time.end_time))
@@ -186,19 +187,24 @@ namespace caudal
   }
 
   template <int dim>
-  void CaseCheck<dim>::print_costs(std::ostream &out, const TrialCost &trial) const
+  void CaseCheck<dim>::print_costs(std::ostream &out, const StepCost &step) const
   {
     const double n_steps   = std::ceil(parameters.time.end_time / parameters.time.step);
     const double n_largest = parameters.refinement.largest_number_of_cells;
     const bool   grows     = parameters.refinement.vorticity_threshold > 0 && n_largest > n_cells;
-    if (trial.n_steps > 1)
+    if (step.seconds > 0)
     {
-      out << "Trial: " << trial.n_steps << " steps, " << print_rounded(trial.seconds)
-          << " s of wall time each and " << print_rounded(trial.memory) << " MiB. " << n_steps
-          << " steps on these cells take about " << format_duration(n_steps * trial.seconds);
+      if (step.n_steps > 0)
+        out << "Trial: " << step.n_steps << " steps, " << print_rounded(step.seconds)
+            << " s of wall time each and " << print_rounded(step.memory) << " MiB. ";
+      else
+        out << "Estimate, by the numbers of unknowns: about " << print_rounded(step.seconds)
+            << " s of wall time a step and " << print_rounded(step.memory) << " MiB. ";
+      out << n_steps << " steps on these cells take about "
+          << format_duration(n_steps * step.seconds);
       if (grows)
         out << ", "
-            << format_duration(n_steps * trial.seconds * std::pow(n_largest / n_cells, growth))
+            << format_duration(n_steps * step.seconds * std::pow(n_largest / n_cells, growth))
             << " on " << n_largest << ", the most that the wake may ask for";
       out << ".\n";
     }

@@ -36,6 +36,8 @@ namespace caudal
     add_wake_warnings(warnings);
     add_flow_warnings(warnings);
     add_body_warnings(warnings);
+    for (const std::string &warning : find_cost_warnings(operators))
+      warnings.push_back(warning);
     return warnings;
   }
 

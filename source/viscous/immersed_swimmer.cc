@@ -22,6 +22,9 @@ namespace caudal
     // The part of a checkpoint that holds the reports.
     const std::string output_part = "energies, tail beats or counters of the output";
     const std::string report_part = "results of the last step";
+
+    // --check tries no steps that are expected to take longer [s].
+    constexpr double longest_trial_step = 10;
   } // namespace
 
   template <int dim>
@@ -132,7 +135,9 @@ namespace caudal
     const CaseCheck<dim> check(operators, operators.triangulation.n_global_active_cells());
     print_summary(check, out);
     check.print_resolution(out);
-    check.print_costs(out, fast ? TrialCost() : try_steps(4));
+    const StepCost estimate =
+        operators.solver.is_iterative() ? estimate_iterative_step(operators) : StepCost();
+    check.print_costs(out, fast || estimate.seconds > longest_trial_step ? estimate : try_steps(4));
     const std::size_t n_warnings = check.find_warnings().size();
     if (n_warnings == 0)
       out << "No problems found.\n";
@@ -142,10 +147,10 @@ namespace caudal
   }
 
   template <int dim>
-  TrialCost ImmersedSwimmer<dim>::try_steps(const unsigned int n_steps)
+  StepCost ImmersedSwimmer<dim>::try_steps(const unsigned int n_steps)
   {
-    TrialCost cost;
-    Timer     trial_clock(communicator);
+    StepCost cost;
+    Timer    trial_clock(communicator);
     while (cost.n_steps < n_steps && !state.time.is_at_end())
     {
       if (cost.n_steps == 1)

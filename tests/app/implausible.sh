@@ -157,3 +157,43 @@ warn "a swimmer in a current, which takes a part of its way" \
   -D "Body fish/Shape/Region boundaries=0.5" -D "Refinement/Vorticity threshold=0.1" \
   -D "Body fish/Gait damping=1e4" -D "Time/End time=5" -D "Fluid/Initial velocity=0.3; 0"
 warn "a symmetric body that is free" -D "Body fish/Density=1100" -D "Body fish/Region head/Feedback stiffness=0"
+
+cat >ball.prm <<END
+set Dimension = 3
+set Bodies    = ball
+subsection Time
+  set End time = 1e5
+  set Step     = 0.01
+end
+subsection Domain
+  set Size   = 1, 1, 1
+  set Cells  = 2, 2, 2
+  set Levels = 3
+end
+subsection Fluid
+  set Grad-div stabilisation = 1
+end
+subsection Body ball
+  subsection Shape
+    set Type     = disc
+    set Radius   = 0.1
+    set Elements = 4, 2, 4
+    set Position = 0.5, 0.5, 0.5
+  end
+  subsection Region body
+    set Young's modulus    = 10
+    set Feedback stiffness = 1e4
+  end
+end
+subsection Coupling
+  set Kernel = dirac
+end
+subsection Refinement
+  set Body margin = 0
+end
+subsection Solver
+  set Method = iterative
+end
+END
+echo "* a run in space that takes weeks: told by estimate, before any step"
+"$CAUDAL" --check --fast ball.prm | sed -n 's/^Warning: Domain/    &/p; s/^Estimate/    &/p'

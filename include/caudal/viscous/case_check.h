@@ -3,6 +3,7 @@
 #define caudal_viscous_case_check_h
 
 #include <caudal/viscous/body_resolution.h>
+#include <caudal/viscous/cost_estimate.h>
 
 #include <array>
 
@@ -10,14 +11,6 @@ namespace caudal
 {
   // In FSI3 with steps of 5 ms, all whose figures are right.
   constexpr double largest_cfl = 7;
-
-  /** Costs of a few steps from the start. */
-  struct TrialCost
-  {
-    unsigned int n_steps = 0;
-    double       seconds = 0; // of wall time for a step but the first
-    double       memory  = 0; // [MiB] on all ranks
-  };
 
   /** Resolution and costs of a case, and what may go wrong, as far as it is known before it runs.
    */
@@ -31,8 +24,8 @@ namespace caudal
     /** Thickness and spacing of the bodies on the fluid's grid, steps that the schemes can take. */
     void print_resolution(std::ostream &out) const;
 
-    /** Wall time, memory and disk that the whole run is likely to take. */
-    void print_costs(std::ostream &out, const TrialCost &trial) const;
+    /** Wall time, memory and disk that the whole run is likely to take, a step of it being so. */
+    void print_costs(std::ostream &out, const StepCost &step) const;
 
     /** What is likely to spoil the results, each with a remedy. */
     std::vector<std::string> find_warnings() const;
@@ -65,6 +58,7 @@ namespace caudal
       }
     };
 
+    const Operators<dim>     &operators;
     const RunParameters<dim> &parameters;
     const FlowScales          scales;
     const double              grad_div;       // [m^2/s]

@@ -52,7 +52,7 @@ namespace caudal
 
     void             check_places() const; // of the bodies
     void             print_summary(const CaseCheck<dim> &check, std::ostream &out) const;
-    TrialCost        try_steps(unsigned int n_steps);
+    StepCost         try_steps(unsigned int n_steps);
     Observation<dim> observe() const;
     void             adapt_grid(Log &log);
     Step<dim>        advance_with_retries(Log &log) const;
