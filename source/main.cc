@@ -253,10 +253,12 @@ namespace
       {"elastic", run_model_in_dimension<ElasticBody>,
        print_model_parameters<ElasticParameters<2>>}};
 
-  /** The model that the file asks for, or the first one. */
+  /** The model that @p file asks for; the first one without an entry or a file. */
   const Model &find_model(const ParameterFile *file)
   {
-    const std::string name  = file ? file->get("Model", models[0].name) : models[0].name;
+    if (file == nullptr)
+      return models[0];
+    const std::string name  = file->get("Model", models[0].name);
     const auto       *model = std::find_if(std::begin(models), std::end(models),
                                            [&](const Model &known) { return known.name == name; });
     AssertThrow(model != std::end(models),
