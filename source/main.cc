@@ -12,12 +12,14 @@
 #include <caudal/solid/elastic_body.h>
 #include <caudal/viscous/immersed_swimmer.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <malloc.h>
 #include <mutex>
 #include <thread>
@@ -213,15 +215,56 @@ namespace
     return std::make_unique<ParameterFile>(name, overrides);
   }
 
+  /** Prints the parameters of a model, with the bodies that @p file names; it may be null. */
   template <class Parameters>
-  Exit print_model_parameters(Parameters &&parameters, const std::string &format)
+  Exit print_model_parameters(const ParameterFile *file, const std::string &format)
   {
     ParameterHandler prm;
-    parameters.declare(prm);
+    Parameters(file).declare(prm);
     FigureParameters().add_parameters(prm);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       print_parameters(std::cout, prm, format);
     return finished;
+  }
+
+  template <template <int> class Model>
+  Exit run_model_in_dimension(ParameterFile &file, const CommandLine &command_line)
+  {
+    return get_dimension(file) == 2 ? run_model<Model<2>>(file, command_line)
+                                    : run_model<Model<3>>(file, command_line);
+  }
+
+  /** What the program can do with a model. */
+  struct Model
+  {
+    const char *name; // in the entry Model
+    Exit (*run)(ParameterFile &, const CommandLine &);
+    Exit (*print_parameters)(const ParameterFile *, const std::string &format);
+  };
+
+  const Model models[] = {
+      {"immersed", run_model_in_dimension<ImmersedSwimmer>,
+       print_model_parameters<RunParameters<2>>},
+      {"potential", run_model<IdealSwimmer>,
+       [](const ParameterFile *, const std::string &format) { // of a body without a name
+         return print_model_parameters<IdealParameters>(nullptr, format);
+       }},
+      {"passage", run_model<FishPassage>, print_model_parameters<PassageParameters>},
+      {"elastic", run_model_in_dimension<ElasticBody>,
+       print_model_parameters<ElasticParameters<2>>}};
+
+  /** The model that @p file asks for; the first one without an entry or a file. */
+  const Model &find_model(const ParameterFile *file)
+  {
+    if (file == nullptr)
+      return models[0];
+    const std::string name  = file->get("Model", models[0].name);
+    const auto       *model = std::find_if(std::begin(models), std::end(models),
+                                           [&](const Model &known) { return known.name == name; });
+    AssertThrow(model != std::end(models),
+                ExcMessage("Model: the value is <" + name +
+                           ">. Give immersed, potential, passage or elastic."));
+    return *model;
   }
 
   Exit run(const int argc, char **argv)
@@ -245,25 +288,10 @@ namespace
     else if (!command_line.file.empty())
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
     load_libraries(file ? file->get("Libraries", "") : "");
-    const std::string model = file ? get_model(*file) : "immersed";
-    if (command_line.action == Action::print_parameters)
-      return model == "potential"
-                 ? print_model_parameters(IdealParameters(nullptr), command_line.format)
-             : model == "passage"
-                 ? print_model_parameters(PassageParameters(nullptr), command_line.format)
-             : model == "elastic"
-                 ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
-                 : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
-    if (model == "potential")
-      return run_model<IdealSwimmer>(*file, command_line);
-    if (model == "passage")
-      return run_model<FishPassage>(*file, command_line);
-    const bool is_plane = get_dimension(*file) == 2;
-    if (model == "elastic")
-      return is_plane ? run_model<ElasticBody<2>>(*file, command_line)
-                      : run_model<ElasticBody<3>>(*file, command_line);
-    return is_plane ? run_model<ImmersedSwimmer<2>>(*file, command_line)
-                    : run_model<ImmersedSwimmer<3>>(*file, command_line);
+    const Model &model = find_model(file.get());
+    return command_line.action == Action::print_parameters
+               ? model.print_parameters(file.get(), command_line.format)
+               : model.run(*file, command_line);
   }
 } // namespace
 

@@ -15,6 +15,20 @@ namespace caudal
     text << std::lround(std::abs(value) / unit) << " x " << unit;
     return text.str();
   }
+
+  /** A figure that does not depend on the machine, with two decimals. */
+  inline double with_two_decimals(const double value)
+  {
+    return std::lround(100 * value) / 100.;
+  }
+
+  /** The same of a small one, as a multiple of a unit: "3.14 x 1e-05". */
+  inline std::string as_multiple(const double unit, const double value)
+  {
+    std::ostringstream text;
+    text << with_two_decimals(value / unit) << " x " << unit;
+    return text.str();
+  }
 } // namespace caudal
 
 #endif

@@ -199,7 +199,7 @@ def describe(folder, n_frames, with_pictures):
     relations = make_relation_charts(names, values)
     if relations:
         report.add("Speed and frequency: empirical relations", page.make_note(
-            "Empirical relations that the paper collects, with the units of their sources as far as "
+            "Empirical relations that Yao et al. collect, with the units of their sources as far as "
             "they say, beside this run: no agreement is claimed.") + report.place_charts(relations))
     if with_pictures and n_frames > 0:
         report.add("Pictures", common.draw_picture(

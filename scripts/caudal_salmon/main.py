@@ -13,7 +13,7 @@ from . import study
 
 def main(arguments):
     parser = argparse.ArgumentParser(
-        prog="scripts/salmon", description="Makes the paper's study of the ideal-fluid salmon. What "
+        prog="scripts/salmon", description="Makes the study of Yao et al. of the ideal-fluid salmon. What "
         "was computed already is not computed again.", epilog="Sweeps over parameters and mesh "
         "studies of this fish, as of any other: scripts/sweep.")
     parser.add_argument("--folder", type=pathlib.Path, default=RESULTS / "salmon_study",

@@ -53,7 +53,7 @@ def write_table(folder):
                 f"{result['mean kinetic energy']:11.3e}{result['largest kinetic energy']:11.3e}"
                 f"{result['mean positive power']:11.3e}{result['mean gross power']:11.3e}"
                 f"{result['cost of transport']:12.4f}")
-    lines += ["", "The paper's energies [W]: fish one 0.61e-4 (0.64 Hz), 1.49e-4 (0.95 and 1.43 Hz); "
+    lines += ["", "The energies of Yao et al. [W]: fish one 0.61e-4 (0.64 Hz), 1.49e-4 (0.95 and 1.43 Hz); "
               "fish two 1.73e-4 (0.95 Hz).", "", "Largest torque of each joint [N m]:"]
     for case in CASES:
         for result in read_summary(folder / case):

@@ -132,8 +132,8 @@ namespace caudal
                       "k, the waves on the body [1], of arctangent, sine and curvature wave; with "
                       "0 the stroke is reciprocal.");
     prm.add_parameter("Bias", shared.bias,
-                      "Constant angle gamma added to each joint [degrees], which steers; the "
-                      "paper prints 5, and its fish would swim in circles with it.");
+                      "Constant angle gamma added to each joint [degrees], which steers; Yao et "
+                      "al. print 5, with which their fish would swim in circles.");
     prm.add_parameter("Growth", shared.growth,
                       "g [1]: the amplitude (sine, curvature wave) is in proportion to (1 - g) + "
                       "g s/L.");

@@ -6,9 +6,60 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <array>
 
 namespace caudal::ideal
 {
+  namespace
+  {
+    /** Derivatives by the places y, elements N and fluxes w = u.N of the points of a rule. */
+    struct PointGradient
+    {
+      ReferenceRule::Vectors by_y, by_N;
+      ReferenceRule::Numbers by_w;
+    };
+
+    /**
+     * Derivatives by the places of a cell's @p nodes and by their velocities, which are @p u at the
+     * points: N = weight X_x x X_y, and w = u.N. Changes @p at_points.
+     */
+    CAUDAL_WIDE_VECTORS
+    void hand_to_nodes(const PlacedRule &rule, const CellArray<Point<3>> &nodes,
+                       const ReferenceRule::Vectors &u, PointGradient &at_points,
+                       std::array<CellArray<double>, 3> &by_place,
+                       std::array<CellArray<double>, 3> &by_velocity)
+    {
+      const ReferenceRule          &reference = rule.get_reference();
+      const unsigned int            n         = rule.size();
+      const ReferenceRule::Numbers &by_w      = at_points.by_w;
+      const ReferenceRule::Vectors &by_y      = at_points.by_y;
+      ReferenceRule::Vectors       &by_N      = at_points.by_N;
+      ReferenceRule::Vectors        X_x, X_y;
+      reference.interpolate(ReferenceRule::x_derivative, nodes, X_x);
+      reference.interpolate(ReferenceRule::y_derivative, nodes, X_y);
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int q = 0; q < n; ++q)
+          by_N[d][q] = reference.get_weights()[q] * (by_N[d][q] + by_w[q] * u[d][q]);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const unsigned int     e = (d + 1) % 3, f = (d + 2) % 3;
+        const double *const    N = rule.get_areas(d);
+        ReferenceRule::Numbers by_X_x, by_X_y, by_u;
+#pragma omp simd
+        for (unsigned int q = 0; q < n; ++q)
+        {
+          by_X_x[q] = X_y[e][q] * by_N[f][q] - X_y[f][q] * by_N[e][q];
+          by_X_y[q] = by_N[e][q] * X_x[f][q] - by_N[f][q] * X_x[e][q];
+          by_u[q]   = by_w[q] * N[q];
+        }
+        reference.add_sums(ReferenceRule::value, by_y[d], by_place[d]);
+        reference.add_sums(ReferenceRule::x_derivative, by_X_x, by_place[d]);
+        reference.add_sums(ReferenceRule::y_derivative, by_X_y, by_place[d]);
+        reference.add_sums(ReferenceRule::value, by_u, by_velocity[d]);
+      }
+    }
+  } // namespace
+
   std::vector<double>
   ExteriorFlow::compute_energy_gradient(const std::vector<double>                    &u,
                                         const std::vector<std::vector<Tensor<1, 3>>> &mode_rates)
@@ -107,8 +158,9 @@ namespace caudal::ideal
 
     const bool has_energy =
         number == PlacedSurface::regular && Utilities::MPI::this_mpi_process(communicator) == 0;
-    ReferenceRule::Numbers by_w;
-    ReferenceRule::Vectors by_y, by_N;
+    PointGradient           at_points;
+    ReferenceRule::Numbers &by_w = at_points.by_w;
+    ReferenceRule::Vectors &by_y = at_points.by_y, &by_N = at_points.by_N;
     for (unsigned int q = 0; q < n; ++q)
     {
       by_w[q] = has_energy ? -phi[q] : 0.;
@@ -147,35 +199,13 @@ namespace caudal::ideal
           gradient.place[node][d] -= by_r[d][q];
     }
 
-    // N = weight X_x x X_y, and w = u.N
-    ReferenceRule::Vectors X_x, X_y;
-    reference.interpolate(ReferenceRule::x_derivative, placed.get_nodes(cell), X_x);
-    reference.interpolate(ReferenceRule::y_derivative, placed.get_nodes(cell), X_y);
+    std::array<CellArray<double>, 3> by_place{}, by_velocity{};
+    hand_to_nodes(rule, placed.get_nodes(cell), u, at_points, by_place, by_velocity);
     for (unsigned int d = 0; d < 3; ++d)
-      for (unsigned int q = 0; q < n; ++q)
-        by_N[d][q] = reference.get_weights()[q] * (by_N[d][q] + by_w[q] * u[d][q]);
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const unsigned int     e = (d + 1) % 3, f = (d + 2) % 3;
-      const double *const    N = rule.get_areas(d);
-      ReferenceRule::Numbers by_X_x, by_X_y, by_u;
-#pragma omp simd
-      for (unsigned int q = 0; q < n; ++q)
-      {
-        by_X_x[q] = X_y[e][q] * by_N[f][q] - X_y[f][q] * by_N[e][q];
-        by_X_y[q] = by_N[e][q] * X_x[f][q] - by_N[f][q] * X_x[e][q];
-        by_u[q]   = by_w[q] * N[q];
-      }
-      CellArray<double> place{}, velocity{};
-      reference.add_sums(ReferenceRule::value, by_y[d], place);
-      reference.add_sums(ReferenceRule::x_derivative, by_X_x, place);
-      reference.add_sums(ReferenceRule::y_derivative, by_X_y, place);
-      reference.add_sums(ReferenceRule::value, by_u, velocity);
       for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        gradient.place[nodes[k]][d] += place[k];
-        gradient.velocity[nodes[k]][d] += velocity[k];
+        gradient.place[nodes[k]][d] += by_place[d][k];
+        gradient.velocity[nodes[k]][d] += by_velocity[d][k];
       }
-    }
   }
 } // namespace caudal::ideal

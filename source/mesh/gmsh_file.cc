@@ -57,7 +57,7 @@ namespace caudal
       void add(const std::vector<unsigned int> &corners, const types::material_id material)
       {
         CellData<dim> piece(corners.size());
-        piece.vertices    = corners;
+        std::copy(corners.begin(), corners.end(), piece.vertices.begin());
         piece.material_id = material;
         pieces.push_back(piece);
       }
@@ -65,8 +65,9 @@ namespace caudal
       /** A piece at each vertex. Corners are numbered lexicographically, as deal.II does. */
       void cut(const CellData<dim> &cell)
       {
-        const auto        &v      = cell.vertices;
-        const unsigned int middle = get_middle(v);
+        // deal.II's container of them depends on its version.
+        const std::vector<unsigned int> v(cell.vertices.begin(), cell.vertices.end());
+        const unsigned int              middle = get_middle(v);
         if (dim == 2 && v.size() == 3)
           for (unsigned int i = 0; i < 3; ++i)
           {

@@ -23,6 +23,14 @@ namespace caudal
 
     // Bodies that are lighter or heavier than the fluid by such factors are likely a wrong unit.
     constexpr double largest_density_ratio = 50;
+
+    /** Whether nothing passes a side whose normal is along @p axis, but flow along it is free. */
+    template <int dim>
+    bool slips(const BoundaryCondition<dim> &side, const unsigned int axis)
+    {
+      const ComponentMask prescribed = side.get_prescribed_components(axis);
+      return prescribed[axis] && prescribed.n_selected_components() < dim;
+    }
   } // namespace
 
   template <int dim>
@@ -145,7 +153,7 @@ namespace caudal
     std::string open_sides;
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (domain.has_moving_frame() && !domain.is_periodic(side / 2) &&
-          parameters.fluid.sides[side].get_name() == "free slip")
+          slips(parameters.fluid.sides[side].get(), side / 2))
         open_sides += (open_sides.empty() ? "" : ", ") + get_side_names(dim)[side];
     if (!open_sides.empty())
       warnings.push_back(

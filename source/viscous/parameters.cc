@@ -106,7 +106,7 @@ namespace caudal
     }
     coupling.check();
     refinement.check(domain.levels);
-    AssertThrow(refinement.interior_levels == 0 || coupling.kernel.get_name() == "dirac",
+    AssertThrow(refinement.interior_levels == 0 || coupling.kernel.get().radius == 0,
                 ExcMessage("Refinement/Interior levels: the kernel " + coupling.kernel.get_name() +
                            " spreads over cells of one size. Choose Coupling/Kernel = dirac, or "
                            "leave this entry out."));
@@ -114,16 +114,6 @@ namespace caudal
     output.check();
     checkpoint.check();
     observers.check();
-  }
-
-  std::string get_model(const ParameterFile &file)
-  {
-    const std::string model = file.get("Model", "immersed");
-    AssertThrow(model == "immersed" || model == "potential" || model == "passage" ||
-                    model == "elastic",
-                ExcMessage("Model: the value is <" + model +
-                           ">. Give immersed, potential, passage or elastic."));
-    return model;
   }
 
   unsigned int get_dimension(const ParameterFile &file)

@@ -16,7 +16,7 @@ namespace
   void try_to(const std::function<void()> &action)
   {
     const std::string error = catch_error(action);
-    std::cout << (error.empty() ? "right" : error) << '\n';
+    std::cout << (error.empty() ? "accepted" : error) << '\n';
   }
 
   void test_checks()

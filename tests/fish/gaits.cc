@@ -11,15 +11,11 @@
 #include <iostream>
 
 #include "../entries.h"
+#include "../round_off.h"
 
 using namespace caudal;
 
 const double L = 2.;
-
-std::string ok(const double error, const double tolerance)
-{
-  return error < tolerance ? "ok" : "bad (" + std::to_string(error) + ")";
-}
 
 std::unique_ptr<Gait> make_gait(const Entries &entries)
 {
@@ -131,9 +127,10 @@ void check_gait(const std::string &name, const Entries &entries)
       velocity_error = std::max(velocity_error, (slope - here.velocities[0]).norm());
     }
   }
-  std::cout << name << ": length " << ok(length_error, 1e-5) << ", area " << ok(area_error, 1e-5)
-            << ", volume everywhere " << ok(volume_error, 1e-6) << ", normal sections "
-            << ok(angle_error, 1e-4) << ", velocity " << ok(velocity_error, 1e-6) << std::endl;
+  std::cout << name << ": length " << in_units(1e-6, length_error) << ", area "
+            << in_units(1e-6, area_error) << ", volume everywhere " << in_units(1e-6, volume_error)
+            << ", normal sections " << in_units(1e-5, angle_error) << ", velocity "
+            << in_units(1e-6, velocity_error) << std::endl;
 }
 
 template <class Action>
@@ -161,9 +158,11 @@ int main()
     return 0.125 * L * (s + 0.03125) / 1.03125 * std::sin(2. * numbers::PI * (s - 0.8));
   };
   std::cout << "  displacement "
-            << ok(std::abs(get_position<2>(*eel, 0.8, Point<2>(L, 0.))[1] - (y(1.) - y(0.))), 1e-5)
+            << in_units(1e-5,
+                        std::abs(get_position<2>(*eel, 0.8, Point<2>(L, 0.))[1] - (y(1.) - y(0.))))
             << ", at rest at t = 0 "
-            << ok(get_position<2>(*eel, 0., Point<2>(1.3, 0.1)).distance(Point<2>(1.3, 0.1)), 1e-12)
+            << in_units(1e-12,
+                        get_position<2>(*eel, 0., Point<2>(1.3, 0.1)).distance(Point<2>(1.3, 0.1)))
             << ", z unchanged ";
   const auto in_space =
       PrescribedMotion<3>(*eel, {on_outline(Point<3>(1.3, 0.1, 0.7))}).compute(0.8);
@@ -179,15 +178,13 @@ int main()
              {{"Type", "curvature"}, {"Curvature/Function", "(0.5 + s)*sin(2*pi*(t - s))"}});
   const auto arc = make_gait({{"Type", "curvature"}, {"Curvature/Function", "pi/2"}});
   // Half a circle about (0, 2/pi)
-  std::cout
-      << "half a circle: the tail "
-      << ok(get_position<2>(*arc, 0.3, Point<2>(L, 0.)).distance(Point<2>(0., 4. / numbers::PI)),
-            1e-5)
-      << ", a point inside "
-      << ok(get_position<2>(*arc, 0.3, Point<2>(L / 2., 0.1))
-                .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)),
-            1e-5)
-      << std::endl;
+  std::cout << "half a circle: the tail "
+            << in_units(1e-5, get_position<2>(*arc, 0.3, Point<2>(L, 0.))
+                                  .distance(Point<2>(0., 4. / numbers::PI)))
+            << ", a point inside "
+            << in_units(1e-5, get_position<2>(*arc, 0.3, Point<2>(L / 2., 0.1))
+                                  .distance(Point<2>(2. / numbers::PI - 0.1, 2. / numbers::PI)))
+            << std::endl;
 
   // Gaits of joints, as functions of time.
   check_gait("joints", {{"Type", "arctangent"}, {"Frequency", "1.5"}});

@@ -9,6 +9,8 @@
 #include <iomanip>
 #include <iostream>
 
+#include "../round_off.h"
+
 using namespace caudal;
 using namespace caudal::ideal;
 
@@ -54,12 +56,6 @@ std::pair<double, double> get_errors(const Ellipsoid &e, const Potentials &flow)
   return {translation, rotation};
 }
 
-// Prints a number only if it is above the limit.
-std::string below(const double value, const double limit)
-{
-  return value < limit ? "ok" : "bad (" + std::to_string(value) + ")";
-}
-
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -81,11 +77,11 @@ int main(int argc, char **argv)
         difference = std::max(difference, std::abs(other.added_mass(i, j) - base.added_mass(i, j)));
     if (is_root)
       std::cout << "axes " << e.axes[0] << ", " << e.axes[1] << ", " << e.axes[2] << " with "
-                << surfaces[2].n_nodes() << " panels: translation " << below(k, 1e-4)
-                << ", rotation " << below(I, 1e-4) << ", volume "
-                << below(std::abs(flow.volume / get_volume(e) - 1.), 2e-5) << ", order "
-                << below(3.5 - std::log2(first_k / second_k), 0.) << " and "
-                << below(3.5 - std::log2(first_I / second_I), 0.) << ", without symmetry "
-                << below(difference / get_volume(e), 1e-5) << std::endl;
+                << surfaces[2].n_nodes() << " panels: translation " << as_multiple(1e-4, k)
+                << ", rotation " << as_multiple(1e-4, I) << ", volume "
+                << as_multiple(1e-5, flow.volume / get_volume(e) - 1.) << ", order "
+                << with_two_decimals(std::log2(first_k / second_k)) << " and "
+                << with_two_decimals(std::log2(first_I / second_I)) << ", without symmetry "
+                << as_multiple(1e-5, difference / get_volume(e)) << std::endl;
   }
 }

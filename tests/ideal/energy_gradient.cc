@@ -5,6 +5,7 @@
 
 #include <caudal/ideal/exterior_flow.h>
 
+#include "../round_off.h"
 #include "bodies.h"
 
 #include <cmath>
@@ -12,11 +13,6 @@
 
 using namespace caudal;
 using namespace caudal::ideal;
-
-std::string below(const double value, const double limit)
-{
-  return value < limit ? "ok" : "bad (" + Patterns::Tools::to_string(value) + ")";
-}
 
 double norm(const std::vector<double> &values)
 {
@@ -52,21 +48,22 @@ std::vector<double> differentiate(const std::vector<double> &c, const Function &
 void check(const std::string &name, const Surface &surface, const TestBody &body,
            const bool is_root)
 {
-  const auto &[straight, gait, deformation] = body;
-  const GaitState  at                       = gait->evaluate(0.7);
-  const double     length                   = deformation->get_length();
-  BoundaryElements elements(surface, MPI_COMM_WORLD);
+  const Gait        &gait        = *body.gait;
+  const Deformation &deformation = *body.deformation;
+  const GaitState    at          = gait.evaluate(0.7);
+  const double       length      = deformation.get_length();
+  BoundaryElements   elements(surface, MPI_COMM_WORLD);
 
   // Rotations, translations, modes
   std::vector<double> u = {0.8, -0.5, 1.1, 0.4 * length, -0.9 * length, 0.7 * length};
   u.insert(u.end(), at.rates.begin(), at.rates.end());
   const Vector<double> motion(u.begin(), u.end());
-  const auto           rates = deformation->compute_mode_rates(at.c, at.rates);
+  const auto           rates = deformation.compute_mode_rates(at.c, at.rates);
 
   for (const double height : {0., 0.1})
   {
     const auto place = [&](const std::vector<double> &c) {
-      SurfaceMotion moved = deformation->place(c);
+      SurfaceMotion moved = deformation.place(c);
       for (auto *const points : {&moved.positions, &moved.rest})
         for (Point<3> &point : *points)
           point[2] += height * length;
@@ -78,11 +75,11 @@ void check(const std::string &name, const Surface &surface, const TestBody &body
     const auto gradient    = elements.solve(place(at.c)).compute_energy_gradient(u, rates);
     if (is_root)
       std::cout << name << (height > 0. ? ", moved" : "") << ": gradient of the fluid's energy "
-                << below(compare(gradient, differences), 1e-7) << std::endl;
+                << in_units(1e-9, compare(gradient, differences)) << std::endl;
   }
 
   const auto differences = differentiate(at.c, [&](const std::vector<double> &c) {
-    return 0.5 * deformation->compute_body_mass(c).matrix_norm_square(motion);
+    return 0.5 * deformation.compute_body_mass(c).matrix_norm_square(motion);
   });
   double     rate_error  = 0.;
   for (std::size_t i = 0; i < at.c.size(); ++i)
@@ -90,16 +87,16 @@ void check(const std::string &name, const Surface &surface, const TestBody &body
       for (unsigned int d = 0; d < 3; ++d)
       {
         const auto   by_c = differentiate(at.c, [&](const std::vector<double> &c) {
-          return deformation->place(c).modes[i][node][d];
+          return deformation.place(c).modes[i][node][d];
         });
         const double rate = std::inner_product(by_c.begin(), by_c.end(), at.rates.begin(), 0.);
         rate_error        = std::max(rate_error, std::abs(rate - rates[i][node][d]) / length);
       }
   if (is_root)
     std::cout << name << ": gradient of the body's energy "
-              << below(compare(deformation->compute_body_energy_gradient(at.c, u), differences),
-                       1e-9)
-              << ", second derivatives " << below(rate_error, 1e-9) << std::endl;
+              << in_units(1e-9,
+                          compare(deformation.compute_body_energy_gradient(at.c, u), differences))
+              << ", second derivatives " << in_units(1e-9, rate_error) << std::endl;
 }
 
 int main(int argc, char **argv)

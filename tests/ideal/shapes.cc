@@ -7,6 +7,7 @@
 #include <caudal/ideal/exterior_flow.h>
 #include <caudal/ideal/mesh_body.h>
 
+#include "../round_off.h"
 #include "bodies.h"
 
 #include <cmath>
@@ -15,11 +16,6 @@
 
 using namespace caudal;
 using namespace caudal::ideal;
-
-std::string below(const double value, const double limit)
-{
-  return value < limit ? "ok" : "bad (" + Patterns::Tools::to_string(value) + ")";
-}
 
 const std::string salmon =
     "0.0714, 2.5e-3, 3.5e-3; 0.2143, 5e-3, 9e-3; 0.3571, 6e-3, 11e-3; 0.5, 5e-3, 9.5e-3; "
@@ -47,9 +43,9 @@ void check_profiles()
     miss = std::max(miss, std::abs(profile(x[i]) - y[i]));
     jump = std::max(jump, std::abs(second(x[i] + 2. * h) - second(x[i] - 2. * h)));
   }
-  std::cout << "profile: points " << below(miss, 1e-12) << ", no overshoot "
-            << below(overshoot, 1e-12) << ", second derivative continuous " << below(jump, 20.)
-            << std::endl;
+  std::cout << "profile: points " << in_units(1e-12, miss) << ", no overshoot "
+            << in_units(1e-12, overshoot) << ", second derivative continuous "
+            << with_two_decimals(jump) << std::endl;
 
   std::vector<double> angles, sines;
   for (unsigned int i = 0; i <= 40; ++i)
@@ -60,8 +56,8 @@ void check_profiles()
   sines.back() = sines.front();
   const Spline periodic(angles, sines, Spline::Kind::periodic);
   const auto [value, rate] = periodic.evaluate(13.);
-  std::cout << "spline of a sine: " << below(std::abs(value - std::sin(13.)), 1e-5) << ", its rate "
-            << below(std::abs(rate - std::cos(13.)), 1e-4) << std::endl;
+  std::cout << "spline of a sine: " << as_multiple(1e-5, value - std::sin(13.)) << ", its rate "
+            << as_multiple(1e-4, rate - std::cos(13.)) << std::endl;
 }
 
 // Half-widths of the paper's fish one: both interpolations go through the stations; `spline` is
@@ -97,9 +93,9 @@ void check_interpolation()
         from_spline            = std::max(from_spline, std::abs(value - spline.evaluate(x).first));
       }
     }
-    std::cout << "stations, " << type << ": passed through " << below(miss, 1e-12)
-              << ", between its neighbours " << (overshoot < 1e-12 ? "yes" : "no")
-              << ", natural spline " << (from_spline < 1e-12 ? "yes" : "no") << std::endl;
+    std::cout << "stations, " << type << ": passed through " << in_units(1e-12, miss)
+              << ", overshoots by " << with_two_decimals(overshoot)
+              << ", off the natural spline by " << with_two_decimals(from_spline) << std::endl;
   }
 }
 
@@ -136,11 +132,11 @@ void check_body(const std::string &name, const Surface &surface, const TestBody 
   const double             straight_volume =
       deformation->compute_body_mass(std::vector<double>(at.c.size(), 0.))(3, 3);
   const double volume = elements.solve(deformation->place(at.c)).get_potentials().volume;
-  std::cout << name << ": modes " << below(mode_error / length, 1e-8) << ", rates "
-            << below(rate_error, 1e-8) << ", volume of the body "
-            << below(std::abs(bent(3, 3) / straight_volume - 1.), 1e-7) << ", of its surface "
-            << below(std::abs(volume / straight_volume - 1.), 5e-4) << ", bend "
-            << (deformation->compute_bend(at.c) < 1. ? "ok" : "bad") << ", reciprocal "
+  std::cout << name << ": modes " << in_units(1e-8, mode_error / length) << ", rates "
+            << in_units(1e-8, rate_error) << ", volume of the body "
+            << in_units(1e-7, std::abs(bent(3, 3) / straight_volume - 1.)) << ", of its surface "
+            << as_multiple(1e-4, volume / straight_volume - 1.) << ", bend "
+            << with_two_decimals(deformation->compute_bend(at.c)) << ", reciprocal "
             << is_reciprocal(*gait) << ", glide symmetry " << has_glide_symmetry(*gait)
             << std::endl;
 }
@@ -153,12 +149,12 @@ void check_ellipsoid()
                                 {{"Type", "none"}});
   const FullMatrix<double> mass   = body.deformation->compute_body_mass({});
   const double             volume = 4. / 3. * numbers::PI * 6.;
-  std::cout << "ellipsoid: volume " << below(std::abs(mass(3, 3) / volume - 1.), 1e-8)
+  std::cout << "ellipsoid: volume " << in_units(1e-8, std::abs(mass(3, 3) / volume - 1.))
             << ", moments about the nose "
-            << below(std::abs(mass(0, 0) / volume - (4. + 1.) / 5.), 1e-7) << ' '
-            << below(std::abs(mass(1, 1) / volume - (9. + 1.) / 5. - 9.), 1e-6) << ' '
-            << below(std::abs(mass(2, 2) / volume - (9. + 4.) / 5. - 9.), 1e-6) << ", first moment "
-            << below(std::abs(mass(2, 4) / volume - 3.), 1e-7) << std::endl;
+            << in_units(1e-7, std::abs(mass(0, 0) / volume - (4. + 1.) / 5.)) << ' '
+            << in_units(1e-6, std::abs(mass(1, 1) / volume - (9. + 1.) / 5. - 9.)) << ' '
+            << in_units(1e-6, std::abs(mass(2, 2) / volume - (9. + 4.) / 5. - 9.))
+            << ", first moment " << in_units(1e-7, std::abs(mass(2, 4) / volume - 3.)) << std::endl;
 }
 
 // A cube of flat quadrilaterals as a surface file.
@@ -175,9 +171,9 @@ void check_file()
   const BendingBody body(surface, shape, *gait);
   const auto        mass = body.compute_body_mass({});
   std::cout << "cube from a file: length " << shape.get_length() << ", volume "
-            << below(std::abs(mass(3, 3) - 8.), 1e-12) << ", moments about the nose "
-            << below(std::abs(mass(0, 0) - 8. * 2. / 3.), 1e-12) << ' '
-            << below(std::abs(mass(2, 2) - 8. * (1. + 2. / 3.)), 1e-12) << ", added mass "
+            << in_units(1e-12, std::abs(mass(3, 3) - 8.)) << ", moments about the nose "
+            << in_units(1e-12, std::abs(mass(0, 0) - 8. * 2. / 3.)) << ' '
+            << in_units(1e-12, std::abs(mass(2, 2) - 8. * (1. + 2. / 3.))) << ", added mass "
             << std::lround(100. *
                            BoundaryElements(surface, MPI_COMM_SELF)
                                .solve(body.place({}))

@@ -5,6 +5,7 @@
 #include <caudal/ideal/motion_sample.h>
 #include <caudal/ideal/resistance.h>
 
+#include "../round_off.h"
 #include "bodies.h"
 
 #include <cmath>
@@ -18,11 +19,6 @@ using namespace caudal::ideal;
 const std::string salmon =
     "0.0714, 2.5e-3, 3.5e-3; 0.2143, 5e-3, 9e-3; 0.3571, 6e-3, 11e-3; 0.5, 5e-3, 9.5e-3; "
     "0.6429, 3.2e-3, 6.5e-3; 0.7857, 1.7e-3, 3.5e-3; 0.9286, 1e-3, 10e-3";
-
-std::string below(const double value, const double limit)
-{
-  return value < limit ? "ok" : "bad (" + Patterns::Tools::to_string(value) + ")";
-}
 
 // Calls observe at each of the times, the first of which is that of the start.
 template <class Observe>
@@ -97,8 +93,8 @@ void check_deforming_sphere()
           Swimmer(n, epsilon, 16).swim(1., 1)[0] / (2. * numbers::PI * epsilon * epsilon);
     const double extrapolated = results[1] + (results[1] - results[0]) / 15.;
     std::cout << "deforming sphere, eps = " << epsilon << ": with 866 panels "
-              << below(std::abs(results[1] / reference - 1.), 0.003) << ", extrapolated "
-              << below(std::abs(extrapolated / reference - 1.), 0.001) << std::endl;
+              << as_multiple(1e-3, results[1] / reference - 1.) << ", extrapolated "
+              << as_multiple(1e-3, extrapolated / reference - 1.) << std::endl;
   }
 }
 
@@ -111,8 +107,8 @@ void check_bent_spheroid()
       swimmer.body.deformation->compute_body_mass(swimmer.body.gait->evaluate(0.).c)(3, 3) * 1000.;
   const EnergyAverages energy = average_stroke(swimmer.table, 64, false);
   std::cout << "bent spheroid: displacement "
-            << below(std::abs(swimmer.swim(1., 1).norm() / 1.101e-2 - 1.), 0.005) << ", energy "
-            << below(std::abs(energy.mean_energy() / mass / 5.304e-4 - 1.), 0.005) << std::endl;
+            << as_multiple(1e-3, swimmer.swim(1., 1).norm() / 1.101e-2 - 1.) << ", energy "
+            << as_multiple(1e-3, energy.mean_energy() / mass / 5.304e-4 - 1.) << std::endl;
 }
 
 // A stroke without phase lag is reciprocal; the path does not depend on the frequency.
@@ -126,8 +122,8 @@ void check_strokes()
   gait["Wave number"] = "0";
   const double none   = Swimmer({4, 3}, fish, gait, 32).swim(1., 3).norm();
   std::cout << "salmon: displacement a stroke at .64 and 1.43 Hz the same "
-            << below(std::abs(slow / fast - 1.), 1e-6) << ", without phase lag none "
-            << below(none / slow, 1e-6) << std::endl;
+            << in_units(1e-6, std::abs(slow / fast - 1.)) << ", without phase lag none "
+            << in_units(1e-6, none / slow) << std::endl;
 
   // psi -> psi + pi maps (omega_z, v_x, v_y) to (-, +, -): without use of the symmetry, since
   // an odd number of phases is not mirrored.
@@ -135,12 +131,11 @@ void check_strokes()
   Swimmer     odd({4, 3}, fish, gait, 33);
   const Screw q = odd.table.compute_motion(0.4).compute_velocity(Screw(), 1.);
   const Screw p = odd.table.compute_motion(0.4 + numbers::PI).compute_velocity(Screw(), 1.);
-  std::cout << "glide symmetry: all phases computed "
-            << (odd.table.get_n_computed() == 33 ? "ok" : "bad") << ", omega_z "
-            << below(std::abs(q[2] + p[2]) / std::abs(q[2]), 1e-6) << ", v_x "
-            << below(std::abs(q[3] - p[3]) / std::abs(q[3]), 1e-6) << ", v_y "
-            << below(std::abs(q[4] + p[4]) / std::abs(q[4]), 1e-6) << ", others "
-            << below(std::abs(q[0]) + std::abs(q[1]) + std::abs(q[5]) / 0.1, 1e-9) << std::endl;
+  std::cout << "glide symmetry: phases computed " << odd.table.get_n_computed() << ", omega_z "
+            << in_units(1e-6, std::abs(q[2] + p[2]) / std::abs(q[2])) << ", v_x "
+            << in_units(1e-6, std::abs(q[3] - p[3]) / std::abs(q[3])) << ", v_y "
+            << in_units(1e-6, std::abs(q[4] + p[4]) / std::abs(q[4])) << ", others "
+            << in_units(1e-9, std::abs(q[0]) + std::abs(q[1]) + std::abs(q[5]) / 0.1) << std::endl;
 }
 
 // The work of the joints is the change of the kinetic energy; table against new surfaces.
@@ -177,20 +172,20 @@ void check_energy_and_table()
       work += power / n;
     }
     std::cout << "sine gait of " << amplitude << " degrees: energy balance "
-              << below(error / largest, 1e-6) << ", no net work " << below(work / largest, 1e-8);
+              << as_multiple(1e-6, error / largest) << ", no net work "
+              << in_units(1e-8, work / largest);
     if (amplitude == 30.)
     {
       const auto         brute = create_brute_force(swimmer.swimming_shape, 1e-3);
       const unsigned int steps = 24;
       const Tensor<1, 3> table = swimmer.swim(1., 1, nullptr, steps);
       std::cout << ", table against new surfaces "
-                << below((swimmer.swim(1., 1, brute.get(), steps) - table).norm() / table.norm(),
-                         1e-6)
+                << in_units(1e-6,
+                            (swimmer.swim(1., 1, brute.get(), steps) - table).norm() / table.norm())
                 << ", torques "
-                << below(std::abs(brute->compute_torques(0.4, Drive())[3] /
-                                      swimmer.table.compute_torques(0.4, Drive())[3] -
-                                  1.),
-                         1e-4);
+                << in_units(1e-4, std::abs(brute->compute_torques(0.4, Drive())[3] /
+                                               swimmer.table.compute_torques(0.4, Drive())[3] -
+                                           1.));
     }
     std::cout << std::endl;
   }
@@ -215,7 +210,7 @@ void check_load(const ExternalForce &force, const std::vector<double> &rates)
     return std::inner_product(rates.begin(), rates.end(), load.on_modes.begin(), 0.);
   });
   std::cout << "resistance: of body and joints from one function "
-            << below(std::abs(by_v / by_rate - 1.), 1e-4) << std::endl;
+            << in_units(1e-4, std::abs(by_v / by_rate - 1.)) << std::endl;
 }
 
 // The two forces on a sphere that is towed, by integration of the formulas over its surface, and
@@ -308,8 +303,8 @@ void check_torques_in_motion()
     const double of_new   = brute->compute_torques(argument, drive)[3],
                  of_table = swimmer.table.compute_torques(argument, drive)[3];
     std::cout << "pushed" << (active ? ", with resistance" : "") << ": energy balance "
-              << below(error / largest, 1e-6) << ", torques against new surfaces "
-              << below(std::abs(of_table / of_new - 1.), 1e-4) << std::endl;
+              << as_multiple(1e-6, error / largest) << ", torques against new surfaces "
+              << in_units(1e-4, std::abs(of_table / of_new - 1.)) << std::endl;
   }
 }
 
@@ -354,10 +349,10 @@ void check_free_ellipsoid()
     errors[4] = std::max(errors[4], (inertial_Lambda - first_Lambda).norm() / first_Lambda.norm());
     path      = body.position;
   });
-  std::cout << "free ellipsoid: |Pi| " << below(errors[0], 1e-7) << ", Pi.Lambda "
-            << below(errors[1], 1e-7) << ", T " << below(errors[2], 1e-7) << ", R Pi "
-            << below(errors[3], 1e-7) << ", R Lambda + r x R Pi " << below(errors[4], 1e-6)
-            << ", it moved " << (path.norm() > 8. ? "ok" : "bad") << std::endl;
+  std::cout << "free ellipsoid: |Pi| " << in_units(1e-7, errors[0]) << ", Pi.Lambda "
+            << in_units(1e-7, errors[1]) << ", T " << in_units(1e-7, errors[2]) << ", R Pi "
+            << in_units(1e-7, errors[3]) << ", R Lambda + r x R Pi " << in_units(1e-6, errors[4])
+            << ", it moved by " << std::lround(path.norm()) << std::endl;
 }
 
 int main(int argc, char **argv)

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "../round_off.h"
+
 using namespace caudal;
 
 template <int dim>
@@ -30,11 +32,6 @@ Tensor<2, dim> rotation()
   return Q;
 }
 
-std::string ok(const double error, const double tolerance)
-{
-  return error < tolerance ? "ok" : "bad (" + std::to_string(error) + ")";
-}
-
 /** Where J = 1: no stress across the faces, and the material's own stress up to a pressure. */
 template <int dim>
 void check_traction(const Material<dim> &model, const Material<dim> &full_model,
@@ -48,9 +45,10 @@ void check_traction(const Material<dim> &model, const Material<dim> &full_model,
   Tensor<1, dim>       normal;
   normal[direction] = 1.;
   normal            = transpose(invert(F)) * normal;
-  std::cout << "  traction on the faces " << ok(std::abs(normal * stress * normal), 1e-12)
+  std::cout << "  traction on the faces " << in_units(1e-12, std::abs(normal * stress * normal))
             << ", a pressure less "
-            << ok((pressure - trace(pressure) / dim * unit_symmetric_tensor<dim>()).norm(), 1e-12)
+            << in_units(1e-12,
+                        (pressure - trace(pressure) / dim * unit_symmetric_tensor<dim>()).norm())
             << std::endl;
 }
 
@@ -115,13 +113,14 @@ void check(const std::string &name, const double kappa, const std::string &thin_
   std::cout << dim << "D " << name << (kappa > 0. ? ", stabilised" : "")
             << (thin_direction == "none" ? "" : ", thin in " + thin_direction)
             << ": W = " << model->strain_energy(F, s) << ", |P| = " << P.norm()
-            << ", |C| = " << C.norm() << "\n  stress " << ok(stress_error, 1e-8) << ", tangent "
-            << ok(tangent_error, 1e-8) << ", symmetry " << ok(asymmetry, 1e-12) << ", objectivity "
-            << ok(std::abs(model->strain_energy(Q * F, s) - model->strain_energy(F, s)), 1e-12)
+            << ", |C| = " << C.norm() << "\n  stress " << in_units(1e-8, stress_error)
+            << ", tangent " << in_units(1e-8, tangent_error) << ", symmetry "
+            << in_units(1e-12, asymmetry) << ", objectivity "
+            << in_units(1e-12,
+                        std::abs(model->strain_energy(Q * F, s) - model->strain_energy(F, s)))
             << ", rotation "
-            << ok(model->first_piola_kirchhoff_stress(Q, s).norm() +
-                      std::abs(model->strain_energy(Q, s)),
-                  1e-12)
+            << in_units(1e-12, model->first_piola_kirchhoff_stress(Q, s).norm() +
+                                   std::abs(model->strain_energy(Q, s)))
             << std::endl;
   if (thin_direction != "none")
     check_traction(*model, *full_model, F_of_tangent, thin_direction[0] - 'x');

@@ -67,3 +67,7 @@ first, last = run.times[0], run.times[-1]
 way = get_centre(run.read_fluid(last)) - get_centre(run.read_fluid(first))
 print(f"the fields have gone as far as was told, times {way[0] / (0.5 * last):.4f}")
 END
+
+# Free slip where the grid meets fluid is told: of that side, and of none with another condition.
+"$CAUDAL" --check --fast followed.prm -D "Fluid/Boundary conditions/top=free slip" \
+  -D "Fluid/Boundary conditions/right=outflow" | grep -o "through a side (.*), free slip"

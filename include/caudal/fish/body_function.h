@@ -18,7 +18,7 @@ namespace caudal
       return value(Point<2>(first, second));
     }
 
-    /** Its derivative by the second variable, the time, by a central difference. */
+    /** Derivative by the second variable, the time, by a central difference. */
     double rate(const double first, const double time) const
     {
       const double increment = 1e-6;

@@ -126,7 +126,7 @@ namespace caudal
       return body_force_loads;
     }
 
-    /** Those of tractions on the sides, likewise. */
+    /** Loads of tractions on the sides, likewise. */
     const SideLoads<dim> &get_side_loads(const Instant &instant) const
     {
       side_loads.update(velocity_dofs, instant);

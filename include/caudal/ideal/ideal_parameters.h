@@ -81,7 +81,7 @@ namespace caudal
     OutputParameters            output;
     CheckpointParameters        checkpoint;
 
-    /** The body is the one that @p file names; without a file it is called <name>. */
+    /** The body is the one that @p file names; without a file it is called `<name>`. */
     explicit IdealParameters(const ParameterFile *file);
 
     /** Entries that had other names in earlier versions. */

@@ -30,7 +30,7 @@ namespace caudal::ideal
     /** The potentials of Potentials::values at the surface's nodes. */
     virtual FullMatrix<double> compute_potentials(double argument) = 0;
 
-    /** The same for the states at the argument. */
+    /** Torques of the modes [N m] for the states at the argument, by the function above. */
     std::vector<double> compute_torques(double argument, const Drive &drive);
   };
 

@@ -125,7 +125,7 @@ namespace caudal::ideal
       return data.data() + d * size();
     }
 
-    /** That of N = n dS times the weight at them [m^2]. */
+    /** The coordinate @p d of N = n dS times the weight at the points [m^2]. */
     const double *get_areas(const unsigned int d) const
     {
       return data.data() + (3 + d) * size();

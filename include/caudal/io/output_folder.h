@@ -17,7 +17,7 @@ namespace caudal
   enum class ExistingResults
   {
     refuse,  ///< they stay, and the new run is refused
-    number,  ///< they stay as <folder>.1, .2, ..., unless the run can be resumed: it is refused
+    number,  ///< they stay as `<folder>.1`, `.2`, ..., unless the run can be resumed: it is refused
     replace, ///< they are removed, finished or not
   };
 

@@ -22,8 +22,8 @@ namespace caudal
      */
     double power_identity = 0;
     /**
-     * Of its force density on the velocities that are prescribed on sides of the domain, in cells
-     * that body and side have in common [W, in 2D W/m]. The sides take as much less.
+     * Power of its force density on the velocities that are prescribed on sides of the domain, in
+     * cells that body and side have in common [W, in 2D W/m]. The sides take as much less.
      */
     double power_on_sides = 0;
 

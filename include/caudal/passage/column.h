@@ -24,7 +24,7 @@ namespace caudal::passage
     void add_parameters(dealii::ParameterHandler &prm);
 
     /**
-     * Its number in the table, or nothing if its header lacks it. A unit in the header, as in
+     * Number of the column in the table, or nothing if its header lacks it. A unit there, as in
      * "velocity [ft/s]", has to be that of the entry; @p path is the section's.
      */
     std::optional<std::size_t> find(const TextTable &table, const std::string &path) const;

@@ -74,12 +74,6 @@ namespace caudal::passage
       return fastest;
     }
 
-    /** The speed that it can hold for the longest duration [m/s]. */
-    double get_slowest() const
-    {
-      return slowest;
-    }
-
     double get_shortest_duration() const
     {
       return shortest_duration;

@@ -20,7 +20,7 @@ namespace caudal::passage
   class PowerCurve : public Plugin
   {
   public:
-    /** That of a fish of this length [m]. */
+    /** Power of a fish of this length [m]. */
     virtual Power make_power(double /*length*/) const
     {
       return {};

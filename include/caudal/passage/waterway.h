@@ -49,10 +49,10 @@ namespace caudal::passage
 
     double compute_largest_velocity() const;
 
-    /** The same with velocities times @p factor. */
+    /** This way with velocities times @p factor. */
     Waterway scale_velocities(double factor) const;
 
-    /** The same with whole rests every @p spacing [m]. */
+    /** This way with whole rests every @p spacing [m]. */
     Waterway add_rests(double spacing) const;
   };
 } // namespace caudal::passage

@@ -52,7 +52,7 @@ namespace caudal
     {
       return parameters;
     }
-    /** Its lengths at rest; to measure them takes a time as the square of the number of faces. */
+    /** Lengths of the body at rest, whose measurement takes a time as the square of its faces. */
     const BodyExtent<dim> &get_extent() const
     {
       return extent;

@@ -56,9 +56,6 @@ namespace caudal
     void check() const;
   };
 
-  /** The model that the file asks for: immersed, potential, passage or elastic. */
-  std::string get_model(const ParameterFile &file);
-
   /** The space dimension that the file asks for: 2 or 3. */
   unsigned int get_dimension(const ParameterFile &file);
 } // namespace caudal
