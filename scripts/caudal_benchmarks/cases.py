@@ -10,7 +10,7 @@ import typing
 
 import numpy as np
 
-from . import loads, studies, surface
+from . import loads, studies, surface, three_d
 from .figures import (MILLIMETRE, Figure, Signal, check_body, check_ledger,
                       compare_force_accounts, describe)
 
@@ -265,6 +265,8 @@ CASES = {case.name: case for case in (
          spatial_variants(6)),
     Case("moving_vortices", "order in time (BDF2)", "3 s", evaluate_time_order,
          (("Time/Step=0.04",), ("Time/Step=0.02",))),
+    Case("ethier_steinman", "orders in 3D, an exact flow", "30 s",
+         three_d.evaluate_ethier_steinman, three_d.ETHIER_STEINMAN_VARIANTS),
     Case("ring", "balance of fibre tension and pressure", "1 s", evaluate_ring,
          (("Domain/Levels=3", "Refinement/Level expression=2", "Body ring/Shape/Elements=48,2"),
           ())),
