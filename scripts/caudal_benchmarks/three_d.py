@@ -28,3 +28,108 @@ def evaluate_ethier_steinman(runs):
     changes = [np.linalg.norm(b - a) for a, b in zip(ends, ends[1:])]
     return figures + [Figure("velocity order in time", math.log2(changes[0] / changes[1]), 2,
                              (1.9, math.inf))]
+
+
+def read_points(run, entry):
+    """Points of a parameter, "x, y, z; ...", an array of (n, 3)."""
+    return np.array([[float(c) for c in point.split(",")]
+                     for point in run.parameters[entry].split(";")])
+
+
+def find_zero(x, values):
+    """Where values that are first negative become positive, between two samples; or nan."""
+    for a, b, f, g in zip(x, x[1:], values, values[1:]):
+        if f < 0 <= g:
+            return a + (b - a) * f / (f - g)
+    return math.nan
+
+
+def evaluate_drag(reference, has_wake=False):
+    """Of a sphere of diameter 1 in a stream of velocity 1, density 1: Cd = 8 F/pi."""
+    def evaluate(runs):
+        run = runs[0]
+        drag = 8 / math.pi * run.get("sphere: force x of the fluid")
+        late = run.time >= 0.8 * run.time[-1]
+        note = (f"Cd changes by {np.ptp(drag[late]):.1e} in the last "
+                f"{0.2 * run.time[-1]:.3g} s")
+        figures = [Figure("Cd", drag[-1], reference, 0.02, note),
+                   Figure("Cd by control volume",
+                          8 / math.pi * run.get("force x by control volume")[-1], reference)]
+        return figures + (measure_wake(run) if has_wake else [])
+    return evaluate
+
+
+def measure_wake(run):
+    """Length of the recirculation, and the angle of separation from the front."""
+    points = read_points(run, "Fluid/Probes")
+    center = read_points(run, "Body sphere/Shape/Position")[0]
+    velocities = np.array([[run.get(f"{c} at probe {k + 1}")[-1] for c in "uvw"]
+                           for k in range(len(points))])
+    offsets = points - center
+    radii = np.linalg.norm(offsets, axis=1)
+    axial = np.linalg.norm(offsets[:, 1:], axis=1) < 1e-9
+    length = find_zero(radii[axial], velocities[axial, 0]) - 0.5
+    # Two arcs round the sphere in the plane z = 0; the angle at which the tangential velocity
+    # changes its sign goes on linearly to the surface.
+    angles = []
+    for radius in np.unique(radii[~axial].round(3)):
+        arc = ~axial & (abs(radii - radius) < 1e-3)
+        theta = np.arctan2(offsets[arc, 1], -offsets[arc, 0])
+        along = velocities[arc, 0] * np.sin(theta) + velocities[arc, 1] * np.cos(theta)
+        angles.append((radius, math.degrees(find_zero(theta, -along))))
+    (near, first), (far, second) = angles
+    separation = first - (near - 0.5) * (second - first) / (far - near)
+    return [Figure("recirculation length [D]", length, 0.875, (0.96 * 0.87, 1.04 * 0.88)),
+            Figure("separation angle [degrees]", separation, 127, (125, 129),
+                   f"{first:.1f} and {second:.1f} degrees at {near:g} and {far:g} D")]
+
+
+# The three translations of an ellipsoid with the axes 4 : 2 : 1.
+ELLIPSOID_VARIANTS = tuple((f"Body ellipsoid/Region body/Translation={motion}",)
+                           for motion in ("t; 0; 0", "0; t; 0", "0; 0; t"))
+ADDED_MASSES = (0.12657072, 0.39817213, 1.51806128)
+
+
+def evaluate_ellipsoid_start(runs):
+    """k of T = (1 + k) rho V U^2/2 and of the impulse (1 + k) rho V U, U = 1, rho = 1."""
+    volume = 4 / 3 * math.pi * 2 * 1 * 0.5
+    figures = []
+    for run, direction, k in zip(runs, "xyz", ADDED_MASSES):
+        impulse = -run.get(f"ellipsoid: force {direction} of the fluid")[0] * run.time[0]
+        figures += [Figure(f"added mass along {direction}, by the impulse", impulse / volume - 1, k, 0.03),
+                    Figure("the same by the energy",
+                           2 * run.get("kinetic energy")[0] / volume - 1, k)]
+    return figures
+
+
+def evaluate_oscillating_sphere(runs):
+    """Landau and Lifshitz's force, -(A u + B du/dt), from the last period's Fourier components."""
+    run = runs[0]
+    radius, viscosity, omega, speed = 0.5, 0.19634954, 2 * math.pi, 0.04 * math.pi
+    delta = math.sqrt(2 * viscosity / omega)
+    drag = 6 * math.pi * viscosity * radius * (1 + radius / delta)
+    mass = (3 * math.pi * radius ** 2 * math.sqrt(2 * viscosity / omega)
+            * (1 + 2 * radius / (9 * delta)))
+    time, force = run.time, -run.get("sphere: force x of the fluid")
+    last = time > time[-1] - 1 + 1e-9
+    # The velocity is a omega sin(omega t): the force leads it by the phase.
+    sine = 2 * np.mean(force[last] * np.sin(omega * time[last]))
+    cosine = 2 * np.mean(force[last] * np.cos(omega * time[last]))
+    phase, reference = (math.degrees(math.atan2(b, a)) for a, b in
+                        ((sine, cosine), (drag, omega * mass)))
+    return [Figure("amplitude of the force [N]", math.hypot(sine, cosine),
+                   speed * math.hypot(drag, omega * mass), 0.02),
+            Figure("phase before the velocity [degrees]", phase, reference,
+                   (reference - 2, reference + 2))]
+
+
+def evaluate_settling_sphere(free_fall, low, high):
+    """The largest speed over that of free fall, within 3 % of what was published."""
+    def evaluate(runs):
+        run = runs[0]
+        speed = -run.get("sphere: w of centre of mass")
+        return [Figure("largest speed over that of free fall", speed.max() / free_fall,
+                       (low + high) / 2, (0.97 * low, 1.03 * high),
+                       f"at {run.time[speed.argmax()]:.3g} s of {run.time[-1]:.3g} s"),
+                Figure("lowest centre [m]", run.get("sphere: z of centre of mass").min())]
+    return evaluate
