@@ -12,7 +12,8 @@ from .figures import Figure
 ETHIER_STEINMAN_VARIANTS = tuple(
     (f"Domain/Cells={n},{n},{n}", f"Refinement/Level expression={level}")
     for level in ("0", "if(x>0,1,0)") for n in (4, 8)) + tuple(
-    ("Domain/Cells=6,6,6", "Time/End time=0.4", f"Time/Step={step}") for step in (0.05, 0.025, 0.0125))
+    ("Domain/Cells=6,6,6", "Time/End time=0.4", f"Time/Step={step}")
+    for step in (0.05, 0.025, 0.0125))
 
 
 def evaluate_ethier_steinman(runs):
@@ -44,8 +45,11 @@ def find_zero(x, values):
     return math.nan
 
 
-def evaluate_drag(reference, has_wake=False):
-    """Of a sphere of diameter 1 in a stream of velocity 1, density 1: Cd = 8 F/pi."""
+def evaluate_drag(reynolds, reference, has_wake=False):
+    """Of a sphere of diameter 1 in a stream of velocity 1, density 1: Cd = 8 F/pi; also beside the
+    standard drag curve of Clift, Grace and Weber (1978) for Reynolds numbers from 20 to 260."""
+    curve = 24 / reynolds * (1 + 0.1935 * reynolds ** 0.6305)
+
     def evaluate(runs):
         run = runs[0]
         drag = 8 / math.pi * run.get("sphere: force x of the fluid")
@@ -53,6 +57,7 @@ def evaluate_drag(reference, has_wake=False):
         note = (f"Cd changes by {np.ptp(drag[late]):.1e} in the last "
                 f"{0.2 * run.time[-1]:.3g} s")
         figures = [Figure("Cd", drag[-1], reference, 0.02, note),
+                   Figure("Cd beside the standard drag curve", drag[-1], curve),
                    Figure("Cd by control volume",
                           8 / math.pi * run.get("force x by control volume")[-1], reference)]
         return figures + (measure_wake(run) if has_wake else [])
@@ -96,9 +101,9 @@ def evaluate_ellipsoid_start(runs):
     figures = []
     for run, direction, k in zip(runs, "xyz", ADDED_MASSES):
         impulse = -run.get(f"ellipsoid: force {direction} of the fluid")[0] * run.time[0]
-        figures += [Figure(f"added mass along {direction}, by the impulse", impulse / volume - 1, k, 0.03),
-                    Figure("the same by the energy",
-                           2 * run.get("kinetic energy")[0] / volume - 1, k)]
+        energy = run.get("kinetic energy")[0]
+        figures += [Figure(f"k along {direction} by the impulse", impulse / volume - 1, k, 0.03),
+                    Figure(f"k along {direction} by the energy", 2 * energy / volume - 1, k)]
     return figures
 
 
