@@ -340,7 +340,7 @@ CASES = {case.name: case for case in (
          curves=("sphere: force x of the fluid", "force x by control volume")),
     Case("ellipsoid_start", "impulsive start of an ellipsoid: added masses", "3 min",
          three_d.evaluate_ellipsoid_start, three_d.ELLIPSOID_VARIANTS),
-    Case("oscillating_sphere", "force on an oscillating sphere", "5 min",
+    Case("oscillating_sphere", "force on an oscillating sphere", "8 min",
          three_d.evaluate_oscillating_sphere, curves=("sphere: force x of the fluid",)),
     Case("settling_sphere_e1", "sinking sphere, Reynolds number 1.5", "not measured",
          three_d.evaluate_settling_sphere(0.038, 0.947, 0.947),

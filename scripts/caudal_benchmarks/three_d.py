@@ -107,25 +107,45 @@ def evaluate_ellipsoid_start(runs):
     return figures
 
 
+def compute_force_from_rest(time, radius, viscosity, omega, speed):
+    """On a sphere whose velocity is speed sin(omega t) from t = 0 on, in fluid of density 1."""
+    n_points = 4000
+    share = (np.arange(n_points) + 0.5) / n_points
+    # The integral of du/ds / sqrt(t - s), with s = t - x^2, by the rule of midpoints.
+    history = np.array([2 * math.sqrt(t) * speed * omega *
+                        np.mean(np.cos(omega * t * (1 - share ** 2))) for t in time])
+    return (6 * math.pi * viscosity * radius * speed * np.sin(omega * time)
+            + 2 / 3 * math.pi * radius ** 3 * speed * omega * np.cos(omega * time)
+            + 6 * radius ** 2 * math.sqrt(math.pi * viscosity) * history)
+
+
+def fit_oscillation(time, values, omega):
+    """Amplitude, and phase before sin(omega t) in degrees, by least squares."""
+    waves = np.column_stack([np.sin(omega * time), np.cos(omega * time)])
+    (sine, cosine), *_ = np.linalg.lstsq(waves, values, rcond=None)
+    return math.hypot(sine, cosine), math.degrees(math.atan2(cosine, sine))
+
+
 def evaluate_oscillating_sphere(runs):
-    """Landau and Lifshitz's force, -(A u + B du/dt), from the last period's Fourier components."""
+    """Beside Landau and Lifshitz's force, from rest, over the last period; and the periodic one."""
     run = runs[0]
     radius, viscosity, omega, speed = 0.5, 0.19634954, 2 * math.pi, 0.04 * math.pi
+    last = run.time > max(0.2, run.time[-1] - 1 + 1e-9)
+    time = run.time[last]
+    exact = compute_force_from_rest(time, radius, viscosity, omega, speed)
+    amplitude, phase = fit_oscillation(
+        time, -run.get("sphere: force x of the fluid")[last], omega)
+    wanted, wanted_phase = fit_oscillation(time, exact, omega)
     delta = math.sqrt(2 * viscosity / omega)
     drag = 6 * math.pi * viscosity * radius * (1 + radius / delta)
     mass = (3 * math.pi * radius ** 2 * math.sqrt(2 * viscosity / omega)
             * (1 + 2 * radius / (9 * delta)))
-    time, force = run.time, -run.get("sphere: force x of the fluid")
-    last = time > time[-1] - 1 + 1e-9
-    # The velocity is a omega sin(omega t): the force leads it by the phase.
-    sine = 2 * np.mean(force[last] * np.sin(omega * time[last]))
-    cosine = 2 * np.mean(force[last] * np.cos(omega * time[last]))
-    phase, reference = (math.degrees(math.atan2(b, a)) for a, b in
-                        ((sine, cosine), (drag, omega * mass)))
-    return [Figure("amplitude of the force [N]", math.hypot(sine, cosine),
-                   speed * math.hypot(drag, omega * mass), 0.02),
-            Figure("phase before the velocity [degrees]", phase, reference,
-                   (reference - 2, reference + 2))]
+    periodic = speed * math.hypot(drag, omega * mass)
+    note = (f"the periodic force has {periodic:.4g} N and "
+            f"{math.degrees(math.atan2(omega * mass, drag)):.4g} degrees")
+    return [Figure("amplitude of the force [N]", amplitude, wanted, 0.02, note),
+            Figure("phase before the velocity [degrees]", phase, wanted_phase,
+                   (wanted_phase - 2, wanted_phase + 2))]
 
 
 def evaluate_settling_sphere(free_fall, low, high):
