@@ -10,7 +10,7 @@ import typing
 
 import numpy as np
 
-from . import loads, studies, surface
+from . import loads, studies, surface, three_d
 from .figures import (MILLIMETRE, Figure, Signal, check_body, check_ledger,
                       compare_force_accounts, describe)
 
@@ -265,6 +265,8 @@ CASES = {case.name: case for case in (
          spatial_variants(6)),
     Case("moving_vortices", "order in time (BDF2)", "3 s", evaluate_time_order,
          (("Time/Step=0.04",), ("Time/Step=0.02",))),
+    Case("ethier_steinman", "orders in 3D, an exact flow", "30 s",
+         three_d.evaluate_ethier_steinman, three_d.ETHIER_STEINMAN_VARIANTS),
     Case("ring", "balance of fibre tension and pressure", "1 s", evaluate_ring,
          (("Domain/Levels=3", "Refinement/Level expression=2", "Body ring/Shape/Elements=48,2"),
           ())),
@@ -330,4 +332,20 @@ CASES = {case.name: case for case in (
          surface.evaluate_couette, surface.COUETTE_VARIANTS),
     Case("slanted_channel", "channel between slanted immersed walls", "1 min",
          surface.evaluate_slanted_channel, surface.CHANNEL_VARIANTS),
+    Case("sphere_re20", "fixed sphere in a stream, Reynolds number 20", "4 min",
+         three_d.evaluate_drag(20, 2.85),
+         curves=("sphere: force x of the fluid", "force x by control volume")),
+    Case("sphere_re100", "fixed sphere in a stream, Reynolds number 100", "not measured",
+         three_d.evaluate_drag(100, 1.085, has_wake=True),
+         curves=("sphere: force x of the fluid", "force x by control volume")),
+    Case("ellipsoid_start", "impulsive start of an ellipsoid: added masses", "5 min",
+         three_d.evaluate_ellipsoid_start, three_d.ELLIPSOID_VARIANTS),
+    Case("oscillating_sphere", "force on an oscillating sphere", "10 min",
+         three_d.evaluate_oscillating_sphere, curves=("sphere: force x of the fluid",)),
+    Case("settling_sphere_e1", "sinking sphere, Reynolds number 1.5", "not measured",
+         three_d.evaluate_settling_sphere(0.038, 0.947, 0.947),
+         curves=("sphere: w of centre of mass", "sphere: z of centre of mass")),
+    Case("settling_sphere_e4", "sinking sphere, Reynolds number 32", "not measured",
+         three_d.evaluate_settling_sphere(0.128, 0.955, 0.96),
+         curves=("sphere: w of centre of mass", "sphere: z of centre of mass")),
 )}

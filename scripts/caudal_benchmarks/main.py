@@ -54,7 +54,7 @@ def main(arguments):
     if options.list:
         print("Costs on one core of an AMD EPYC (2026); a slow shared Xeon took three times as long.")
         for case in CASES.values():
-            print(f"{case.name:18}{case.purpose:52}{case.cost}")
+            print(f"{case.name:20}{case.purpose:52}{case.cost}")
         return 0
     options.folder.mkdir(parents=True, exist_ok=True)
     print(report.format_row(report.HEADER))
