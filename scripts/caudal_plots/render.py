@@ -10,9 +10,12 @@ import sys
 
 import numpy as np
 
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401: what draws
 from caudal_setup import SETUP
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+                                         vtkWindowToImageFilter)
 
 from . import MissingData
 
@@ -59,8 +62,6 @@ def make_table(colours, low, high):
 
 def make_actor(mesh, colour=(0.23, 0.25, 0.27), opacity=1., name=None, table=None):
     """A surface in one colour, or in those of its point data @p name."""
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
-
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.SetScalarVisibility(name is not None)
@@ -99,9 +100,6 @@ def get_extent(box, direction, up):
 def render(actors, box, direction, up, width):
     """The actors as pixels (height, width, 3) by parallel projection, and the extent that these show
     along right and up of the picture."""
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401: what draws
-    from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-
     open_display()
     extent = get_extent(box, direction, up)
     height = max(round(width * (extent[3] - extent[2]) / (extent[1] - extent[0])), 16)

@@ -274,6 +274,7 @@ namespace caudal
             Patch patch;
             patch.patch_index    = patches.size();
             patch.n_subdivisions = 1;
+            patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
             patch.data.reinit(n_columns, n_corners);
             for (unsigned int corner = 0; corner < n_corners; ++corner)
             {
