@@ -27,10 +27,9 @@ def find_ffmpeg():
 
 
 def get_drawing(run):
-    """The function that draws the run at a time, with the scales of the last output."""
+    """The function that draws the run at a time, with the scale of the last output."""
     if run.is_spatial:
-        scene = space.Scene(run, run.times[-1])
-        return lambda time: space.draw_vortices(run, time, scene.limit, scene.level)
+        return space.Sequence(run).draw
     last = run.times[-1]
     limit = flow.get_vorticity_limit(run.read_fluid(last), run.read_bodies(last))
     return lambda time: flow.draw_vorticity(run, time, limit)

@@ -75,9 +75,9 @@ def make_actor(mesh, colour=(0.23, 0.25, 0.27), opacity=1., name=None, table=Non
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(*colour)
     actor.GetProperty().SetOpacity(opacity)
-    actor.GetProperty().SetAmbient(0.35)
-    actor.GetProperty().SetDiffuse(0.7)
-    actor.GetProperty().SetSpecular(0.08)
+    # Colours that mean something are shaded less.
+    actor.GetProperty().SetAmbient(0.35 if name is None else 0.6)
+    actor.GetProperty().SetDiffuse(0.7 if name is None else 0.42)
     return actor
 
 
@@ -117,7 +117,10 @@ def render(actors, box, direction, up, width):
     camera.SetClippingRange(0.1 * depth, 4 * depth)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
+    window.SetMultiSamples(0)  # more pixels than are shown make up for it
+    window.SetAlphaBitPlanes(1)  # surfaces that can be seen through are drawn in their order
+    renderer.UseDepthPeelingOn()
+    renderer.SetMaximumNumberOfPeels(12)
     window.SetSize(width, height)
     window.AddRenderer(renderer)
     window.Render()
@@ -128,5 +131,22 @@ def render(actors, box, direction, up, width):
     image = grab.GetOutput()
     pixels = vtk_to_numpy(image.GetPointData().GetScalars())
     pixels = pixels.reshape(image.GetDimensions()[1], image.GetDimensions()[0], -1)[::-1, :, :3]
+    pixels = np.array(pixels)
     window.Finalize()
-    return np.array(pixels), extent
+    return pixels, extent
+
+
+def crop(pixels, extent, margin=0.02):
+    """The picture without the white round what it shows."""
+    is_drawn = (pixels < 255).any(axis=2)
+    if not is_drawn.any():
+        return pixels, extent
+    limits, (height, width) = [], is_drawn.shape
+    for axis, size in ((0, width), (1, height)):
+        places = np.flatnonzero(is_drawn.any(axis=axis))
+        border = round(margin * max(width, height))
+        limits += [max(places[0] - border, 0), min(places[-1] + 1 + border, size)]
+    left, right, top, bottom = limits
+    x0, x1, y0, y1 = extent
+    x, y = (x1 - x0) / width, (y1 - y0) / height
+    return pixels[top:bottom, left:right], (x0 + left * x, x0 + right * x, y1 - bottom * y, y1 - top * y)

@@ -3,7 +3,7 @@
 
 import matplotlib
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (vtkContourFilter, vtkCutter, vtkPolyDataNormals,
                                        vtkTriangleFilter)
@@ -16,20 +16,15 @@ from . import MissingData, flow, render, style
 
 COLOURS = matplotlib.colormaps["RdBu_r"]
 SHARE = 0.5  # of the rotation off the bodies that the surface of Q encloses
-PIXELS = 1500
+PIXELS = 1800
+HIGHEST = 4.5  # of the picture in perspective [inch]
+OPACITY = 0.7  # of vortices, through which the body is seen
 
 # Direction in which the camera looks, what is up, and how the picture is called.
-PERSPECTIVE = ((0.55, 0.7, -0.45), (0, 0, 1))
+PERSPECTIVE = ((-0.35, 0.8, -0.45), (0, 0, 1))
 VIEWS = (((0, 0, -1), (0, 1, 0), "from above", "x", "y"),
          ((0, 1, 0), (0, 0, 1), "from the side", "x", "z"),
          ((-1, 0, 0), (0, 0, 1), "from behind", "y", "z"))
-
-
-def get_bodies(run, time):
-    bodies = run.read_volumes(time)
-    if not bodies:
-        raise MissingData("solution.pvd lists no body beside the fluid.")
-    return bodies
 
 
 def make_surface(volume):
@@ -44,9 +39,9 @@ def make_surface(volume):
 
 
 def get_q(fluid):
-    """Q at the points [1/s^2]: as the run has written it, or from its velocities."""
+    """Q at the points [1/s^2], smoothed: as the run has written it, or from its velocities."""
     if "Q" in fluid.data:
-        return fluid.data["Q"]
+        return fluid.smooth(fluid.data["Q"])
     gradient = vtkGradientFilter()
     gradient.SetInputData(fluid.grid)
     gradient.SetInputScalars(0, "velocity")  # point data
@@ -54,7 +49,8 @@ def get_q(fluid):
     gradient.ComputeQCriterionOn()
     gradient.SetQCriterionArrayName("Q")
     gradient.Update()
-    return vtk_to_numpy(gradient.GetOutput().GetPointData().GetArray("Q")).astype(float)
+    q = gradient.GetOutput().GetPointData().GetArray("Q")
+    return fluid.smooth(vtk_to_numpy(q).astype(float))
 
 
 def get_box(points):
@@ -63,6 +59,8 @@ def get_box(points):
 
 def get_wake_box(bodies, domain):
     """The bodies with three lengths of the first behind them, within the domain: (3, 2)."""
+    if not bodies:
+        return domain
     length = flow.get_length(next(iter(bodies.values())))
     box = get_box(np.concatenate([body.points for body in bodies.values()]))
     box += length * np.array([[-0.3, 3.], [-0.5, 0.5], [-0.5, 0.5]])
@@ -85,51 +83,78 @@ def find_level(fluid, bodies):
 
 
 def make_vortices(fluid, level):
-    """The surface of equal Q with the fluid's data at its points."""
-    grid = fluid.grid
-    if "Q" not in fluid.data:
-        fluid.data["Q"] = get_q(fluid)
-        del fluid.grid
-        grid = fluid.grid
+    """The surface of equal Q, with the vorticity about z at its points."""
+    data = {"Q": get_q(fluid), "vorticity z": fluid.smooth(
+        flow.get_data(fluid, "vorticity")[:, 2])}
+    grid = fields.Volume(fluid.points, fluid.cells, data).grid
     grid.GetPointData().SetActiveScalars("Q")
     contour = vtkContourFilter()
     contour.SetInputData(grid)
-    contour.SetInputArrayToProcess(0, 0, 0, 0, "Q")
     contour.SetValue(0, level)
     normals = vtkPolyDataNormals()
     normals.SetInputConnection(contour.GetOutputPort())
+    normals.SplittingOff()
     normals.Update()
     return normals.GetOutput()
-
-
-def add_component(mesh, name, component):
-    """One component of a vector as point data of its own; returns the values."""
-    values = vtk_to_numpy(mesh.GetPointData().GetArray(name))[:, component]
-    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-    array.SetName(f"{name} {'xyz'[component]}")
-    mesh.GetPointData().AddArray(array)
-    return values
 
 
 class Scene:
     """Vortices and bodies at a time, ready to be drawn from any side."""
 
     def __init__(self, run, time, level=None, limit=None):
-        self.bodies = get_bodies(run, time)
+        self.bodies = run.read_volumes(time)
         fluid = run.read_volume(time, "fluid")
         self.level = level or find_level(fluid, self.bodies)
         self.limit = limit or flow.get_vorticity_limit(fluid, self.bodies)
-        self.domain = get_box(fluid.points)
-        self.box = get_wake_box(self.bodies, self.domain)
         vortices = make_vortices(fluid, self.level)
         self.actors = [render.make_actor(make_surface(body)) for body in self.bodies.values()]
+        seen = [body.points for body in self.bodies.values()]
         if vortices.GetNumberOfPoints():
-            add_component(vortices, "vorticity", 2)
+            seen.append(vtk_to_numpy(vortices.GetPoints().GetData()))
             table = render.make_table(COLOURS, -self.limit, self.limit)
-            self.actors.append(render.make_actor(vortices, opacity=0.8, name="vorticity z", table=table))
+            self.actors.append(render.make_actor(vortices, opacity=OPACITY, name="vorticity z", table=table))
+        # No more of the wake than there are vortices.
+        self.box = get_wake_box(self.bodies, get_box(fluid.points))
+        if seen:
+            inner = get_box(np.concatenate(seen))
+            inner += 0.05 * np.ptp(inner, axis=1).max() * np.array([-1, 1])
+            self.box = np.stack([np.maximum(self.box[:, 0], inner[:, 0]),
+                                 np.minimum(self.box[:, 1], inner[:, 1])], axis=1)
+
+    @property
+    def place(self):
+        """Where the first body is, (3, 1)."""
+        bodies = iter(self.bodies.values())
+        return get_box(next(bodies).points).mean(axis=1, keepdims=True) if self.bodies else np.zeros((3, 1))
 
     def render(self, direction, up, width):
         return render.render(self.actors, self.box, direction, up, width)
+
+
+class Sequence:
+    """Pictures of the vortices in perspective that have one size and one scale, those of the last
+    output, and move with the first body."""
+
+    def __init__(self, run):
+        self.run = run
+        self.last = Scene(run, run.times[-1])
+        self.box = self.last.box - self.last.place
+        extent = render.get_extent(self.box, *PERSPECTIVE)
+        self.shape = (extent[3] - extent[2]) / (extent[1] - extent[0])  # height over width
+
+    def render(self, time, width):
+        scene = Scene(self.run, time, self.last.level, self.last.limit)
+        return render.render(scene.actors, self.box + scene.place, *PERSPECTIVE, width)
+
+    def draw(self, time):
+        """As a figure."""
+        height = (style.WIDTH - 1) * self.shape
+        figure, axes = style.make_figure(1, 1, height + 1.2)
+        show(axes[0, 0], *self.render(time, PIXELS))
+        axes[0, 0].set_axis_off()
+        axes[0, 0].set_title(f"Vortices, Q = {self.last.level:g} s⁻², t = {time:.3f} s")
+        add_scale(figure, axes, self.last.limit, COLOURS, "vorticity about z [1/s]")
+        return figure
 
 
 def show(axes, pixels, extent):
@@ -140,8 +165,8 @@ def show(axes, pixels, extent):
 
 def add_scale(figure, axes, limit, colours, label):
     scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(-limit, limit), colours)
-    figure.colorbar(scale, ax=axes, orientation="horizontal", extend="both", aspect=50, shrink=0.6,
-                    label=label)
+    figure.colorbar(scale, ax=axes, location="bottom", extend="both", aspect=50, shrink=0.6, pad=0.01,
+                    fraction=0.6 / figure.get_figheight(), label=label)
 
 
 def draw_vortices(run, time=None, limit=None, level=None):
@@ -149,19 +174,16 @@ def draw_vortices(run, time=None, limit=None, level=None):
     time = run.times[-1] if time is None else time
     scene = Scene(run, time, level, limit)
     lengths = np.ptp(scene.box, axis=1)
-    extent = render.get_extent(scene.box, *PERSPECTIVE)
-    figure = style.plt.figure(figsize=(style.WIDTH, 1), constrained_layout=True)
-    top = (style.WIDTH - 1) * (extent[3] - extent[2]) / (extent[1] - extent[0])
-    side = (style.WIDTH - 2) / (lengths[0] * 2 + lengths[1])
-    below = side * max(lengths[1], lengths[2])
-    figure.set_figheight(top + below + 1.7)
+    first, extent = render.crop(*scene.render(*PERSPECTIVE, PIXELS))
+    top = min((style.WIDTH - 1) * (extent[3] - extent[2]) / (extent[1] - extent[0]), HIGHEST)
+    below = (style.WIDTH - 2) / (lengths[0] * 2 + lengths[1]) * max(lengths[1], lengths[2])
+    figure = style.plt.figure(figsize=(style.WIDTH, top + below + 1.7), constrained_layout=True)
     grid = figure.add_gridspec(2, 3, height_ratios=(top, below),
                                width_ratios=(lengths[0], lengths[0], lengths[1]))
-    first = figure.add_subplot(grid[0, :])
-    show(first, *scene.render(*PERSPECTIVE, PIXELS))
-    first.set_axis_off()
-    first.set_title(f"Vortices, Q = {scene.level:g} s⁻², t = {time:.3f} s")
-    panels = [first]
+    panels = [figure.add_subplot(grid[0, :])]
+    show(panels[0], first, extent)
+    panels[0].set_axis_off()
+    figure.suptitle(f"Vortices, Q = {scene.level:g} s⁻², t = {time:.3f} s")
     for number, (direction, up, title, right, above) in enumerate(VIEWS):
         panel = figure.add_subplot(grid[1, number])
         show(panel, *scene.render(direction, up, PIXELS))
@@ -198,6 +220,8 @@ def cut(volume, point, normal, axes):
 def get_planes(bodies, domain):
     """(point, normal) of the planes through the middle of the first body: that in which it bends, the
     upright one along it, and one across the wake, half a length behind it."""
+    if not bodies:
+        return tuple((domain.mean(axis=1), normal) for normal in ((0, 0, 1), (0, 1, 0), (1, 0, 0)))
     body = next(iter(bodies.values()))
     box = get_box(body.points)
     middle, behind = box.mean(axis=1), box.mean(axis=1)
@@ -240,7 +264,7 @@ def make_sections(run):
         planes = [(point, normal) for point, normal, _ in slices]
     else:
         time = run.times[-1]
-        bodies, fluid = get_bodies(run, time), run.read_volume(time, "fluid")
+        bodies, fluid = run.read_volumes(time), run.read_volume(time, "fluid")
         planes = get_planes(bodies, get_box(fluid.points))
         slices = None
     for number, (point, normal) in enumerate(planes):
@@ -276,14 +300,33 @@ def get_section_limit(sections):
     return flow.find_middle(np.concatenate(strengths), np.concatenate(weights))
 
 
+def get_windows(run, time, sections):
+    """What is shown of each section: of one that meets them the bodies and their wake, which are those
+    of the last output before the time, else all of it."""
+    windows = [flow.get_limits(section[4].points) for section in sections]
+    times = [t for t in run.times if t <= time * (1 + 1e-9)]
+    bodies = run.read_volumes(times[-1]) if times else {}
+    if not bodies:
+        return windows
+    box = get_wake_box(bodies, get_box(run.read_volume(times[-1], "fluid").points))
+    corners = np.stack(np.meshgrid(*box, indexing="ij"), axis=-1).reshape(-1, 3)
+    for number, section in enumerate(sections):
+        inner = flow.get_limits(corners @ np.transpose(section[1]))
+        x0, x1, y0, y1 = (choose(a, b) for choose, a, b in
+                          zip((max, min, max, min), windows[number], inner))
+        if x1 > x0 and y1 > y0:
+            windows[number] = x0, x1, y0, y1
+    return windows
+
+
 def draw_slices(run, limit=None):
     """The vorticity across planes, with the sections of the bodies."""
     time, sections = make_sections(run)
     limit = limit or get_section_limit(sections)
-    windows = [flow.get_limits(plane.points) for _, _, _, _, plane, _ in sections]
+    windows = get_windows(run, time, sections)
     widest = max(w[1] - w[0] for w in windows)
     heights = [(style.WIDTH - 1) * (w[3] - w[2]) / widest for w in windows]
-    figure, axes = style.make_figure(len(sections), 1, sum(heights) + 0.9 + 0.55 * len(sections),
+    figure, axes = style.make_figure(len(sections), 1, sum(heights) + 1.1 + 0.6 * len(sections),
                                      gridspec_kw={"height_ratios": heights})
     for panel, (title, _, labels, normal, plane, cuts), window in zip(axes[:, 0], sections, windows):
         style.draw_field(panel, plane, plane.data["vorticity"] @ normal, window, limit, "RdBu_r")
@@ -322,21 +365,24 @@ def draw_surface(run):
     box = get_box(np.concatenate([surface.points for surface in surfaces.values()]))
     box += 0.03 * np.ptp(box, axis=1).max() * np.array([-1, 1])
     views = (PERSPECTIVE, *[(direction, up) for direction, up, *_ in VIEWS[:2]])
-    extents = [render.get_extent(box, *view) for view in views]
-    widths = [extent[1] - extent[0] for extent in extents]
-    height = (style.WIDTH - 1.2) * max(extent[3] - extent[2] for extent in extents) / sum(widths)
-    figure, axes = style.make_figure(len(rows), len(views), len(rows) * (height + 0.3) + 0.5,
-                                     gridspec_kw={"width_ratios": widths})
     meshes = [make_surface(surface) for surface in surfaces.values()]
-    for panels, (label, name, colours, low, high) in zip(axes, rows):
+    pictures = []
+    for _, name, colours, low, high in rows:
         table = render.make_table(colours, low, high)
         actors = [render.make_actor(mesh, name=name, table=table) for mesh in meshes]
-        for panel, view in zip(panels, views):
-            show(panel, *render.render(actors, box, *view, PIXELS // 2))
+        pictures.append([render.crop(*render.render(actors, box, *view, PIXELS // 2)) for view in views])
+    extents = [extent for _, extent in pictures[0]]
+    widths = [extent[1] - extent[0] for extent in extents]
+    height = (style.WIDTH - 1.2) * max(extent[3] - extent[2] for extent in extents) / sum(widths)
+    figure, axes = style.make_figure(len(rows), len(views), len(rows) * max(height, 1.2) + 0.7,
+                                     gridspec_kw={"width_ratios": widths})
+    for panels, images, (label, _, colours, low, high) in zip(axes, pictures, rows):
+        for panel, image in zip(panels, images):
+            show(panel, *image)
             panel.set_axis_off()
         scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(low, high), colours)
         figure.colorbar(scale, ax=list(panels), label=label, extend="both" if low < 0 else "max",
-                        aspect=15)
+                        aspect=12)
     for panel, title in zip(axes[0], ("in perspective", "from above", "from the side")):
         panel.set_title(title)
     figure.suptitle(f"Surface of {', '.join(surfaces)}, t = {time:.3f} s")
