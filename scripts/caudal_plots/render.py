@@ -2,7 +2,6 @@
 """Pictures of surfaces in space by VTK, without a screen."""
 
 import atexit
-import functools
 import os
 import shutil
 import subprocess
@@ -21,6 +20,7 @@ from . import MissingData
 
 NO_DISPLAY = ("Pictures of three dimensions need a display or the program Xvfb, which stands in for one: "
               "Debian's package xvfb has it.")
+SERVERS = []  # that were started; the last one is in use
 
 
 def find_xvfb():
@@ -30,9 +30,10 @@ def find_xvfb():
     return shutil.which("Xvfb")
 
 
-@functools.lru_cache(maxsize=1)
 def open_display():
     """A display in memory, which no window can disturb; without the program for it that of the user."""
+    if SERVERS and SERVERS[-1].poll() is None:
+        return
     xvfb = find_xvfb()
     if xvfb is None:
         if os.environ.get("DISPLAY"):
@@ -40,8 +41,9 @@ def open_display():
         raise MissingData(NO_DISPLAY)
     reader, writer = os.pipe()
     server = subprocess.Popen([xvfb, "-displayfd", str(writer), "-screen", "0", "1280x1024x24",
-                               "-nolisten", "tcp"], pass_fds=(writer,), stdin=subprocess.DEVNULL,
+                               "-nolisten", "tcp", "-noreset"], pass_fds=(writer,), stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    SERVERS.append(server)
     atexit.register(server.terminate)
     os.close(writer)
     with os.fdopen(reader) as file:  # a line when it is ready, nothing if it ends before
@@ -120,7 +122,7 @@ def render(actors, box, direction, up, width):
     window.SetMultiSamples(0)  # more pixels than are shown make up for it
     window.SetAlphaBitPlanes(1)  # surfaces that can be seen through are drawn in their order
     renderer.UseDepthPeelingOn()
-    renderer.SetMaximumNumberOfPeels(12)
+    renderer.SetMaximumNumberOfPeels(6)
     window.SetSize(width, height)
     window.AddRenderer(renderer)
     window.Render()

@@ -16,7 +16,7 @@ from . import MissingData, flow, render, style
 
 COLOURS = matplotlib.colormaps["RdBu_r"]
 SHARE = 0.5  # of the rotation off the bodies that the surface of Q encloses
-PIXELS = 1800
+PIXELS = 1400
 HIGHEST = 4.5  # of the picture in perspective [inch]
 OPACITY = 0.7  # of vortices, through which the body is seen
 
