@@ -15,7 +15,7 @@ from caudal import fields
 from . import MissingData, flow, render, style
 
 COLOURS = matplotlib.colormaps["RdBu_r"]
-SHARE = 0.5  # of the rotation off the bodies that the surface of Q encloses
+SHARE = 0.3  # of the rotation off the bodies that the surface of Q encloses
 PIXELS = 1400
 HIGHEST = 4.5  # of the picture in perspective [inch]
 OPACITY = 0.7  # of vortices, through which the body is seen
@@ -68,12 +68,12 @@ def get_wake_box(bodies, domain):
 
 
 def find_level(fluid, bodies):
-    """The Q whose surface encloses half of the rotation that is off the bodies: in their layers it is
+    """The Q whose surface encloses SHARE of the rotation that is off the bodies: in their layers it is
     so large that a share of that would leave the wake empty."""
     q = np.maximum(get_q(fluid)[fluid.cells].mean(axis=1), 0)
     rotation = q * fluid.sizes
     is_far = flow.find_far(fluid.points[fluid.cells].mean(axis=1), bodies)
-    if (rotation * is_far).sum() > 0.01 * rotation.sum():
+    if (rotation * is_far).sum() > 1e-4 * rotation.sum():  # there is a wake: Q is like vorticity squared
         rotation = rotation * is_far
     if not rotation.sum() > 0:
         raise MissingData("There is no vortex: Q is not positive anywhere.")
@@ -98,6 +98,15 @@ def make_vortices(fluid, level):
     return normals.GetOutput()
 
 
+def get_limit(vortices, bodies):
+    """End of the colour scale on the vortices: most of what lies off the bodies is below it."""
+    if not vortices.GetNumberOfPoints():
+        return 1.
+    strength = abs(vtk_to_numpy(vortices.GetPointData().GetArray("vorticity z")))
+    is_far = flow.find_far(vtk_to_numpy(vortices.GetPoints().GetData()), bodies)
+    return style.get_round_limit(np.quantile(strength[is_far] if is_far.any() else strength, 0.8))
+
+
 class Scene:
     """Vortices and bodies at a time, ready to be drawn from any side."""
 
@@ -105,8 +114,8 @@ class Scene:
         self.bodies = run.read_volumes(time)
         fluid = run.read_volume(time, "fluid")
         self.level = level or find_level(fluid, self.bodies)
-        self.limit = limit or flow.get_vorticity_limit(fluid, self.bodies)
         vortices = make_vortices(fluid, self.level)
+        self.limit = limit or get_limit(vortices, self.bodies)
         self.actors = [render.make_actor(make_surface(body)) for body in self.bodies.values()]
         seen = [body.points for body in self.bodies.values()]
         if vortices.GetNumberOfPoints():

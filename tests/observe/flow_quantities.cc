@@ -40,6 +40,7 @@ namespace
 
 int main()
 {
+  load_libraries(""); // none beside the program's own
   std::cout << std::fixed << std::setprecision(6);
   print_plane_flows<2>();
   print_plane_flows<3>();
