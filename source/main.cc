@@ -224,6 +224,14 @@ namespace
     return finished;
   }
 
+  template <int dim>
+  Exit print_parameters_of_dimension(const std::string &model, const ParameterFile *file,
+                                     const std::string &format)
+  {
+    return model == "elastic" ? print_model_parameters(ElasticParameters<dim>(file), format)
+                              : print_model_parameters(RunParameters<dim>(file), format);
+  }
+
   Exit run(const int argc, char **argv)
   {
     using Action                   = CommandLine::Action;
@@ -251,9 +259,9 @@ namespace
                  ? print_model_parameters(IdealParameters(nullptr), command_line.format)
              : model == "passage"
                  ? print_model_parameters(PassageParameters(nullptr), command_line.format)
-             : model == "elastic"
-                 ? print_model_parameters(ElasticParameters<2>(file.get()), command_line.format)
-                 : print_model_parameters(RunParameters<2>(file.get()), command_line.format);
+             : file && get_dimension(*file) == 3
+                 ? print_parameters_of_dimension<3>(model, file.get(), command_line.format)
+                 : print_parameters_of_dimension<2>(model, file.get(), command_line.format);
     if (model == "potential")
       return run_model<IdealSwimmer>(*file, command_line);
     if (model == "passage")

@@ -85,6 +85,7 @@ fluid.data["vorticity"][near] *= 3
 print("  limit with a stronger boundary layer:", flow.get_vorticity_limit(fluid, bodies) / limit)
 fluid.data["vorticity"][far] *= 100
 print("  with a stronger wake:", flow.get_vorticity_limit(fluid, bodies) / limit)
+fluid.smooth = lambda values: values  # it would carry them farther
 level = space.find_level(fluid, bodies)
 fluid.data["Q"][near] *= 3
 print("  level with a larger Q in the boundary layer:", space.find_level(fluid, bodies) / level)
