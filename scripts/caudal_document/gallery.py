@@ -56,7 +56,7 @@ PICTURES = (
          "frequency and drag are compared in prm/benchmarks/README.md.", "--limit 150"),
     draw("vortices", "Vortices in three dimensions", "prm/cookbook/ball.prm", "ball", "vortices",
          "A ball in a stream at a Reynolds number of 100, on a coarse grid: a surface of equal Q, coloured "
-         "by the vorticity about z ([recipe](cookbook/three_dimensions.md))."),
+         "by the vorticity about z ([recipe](cookbook/three_dimensions.md)).", "--level 4"),
     Picture("salmon", "A salmon in an ideal fluid", "scripts/salmon", "salmon_study", (),
             "swimming_shapes.png",
             "Six joints bend three shapes alike, boundary elements give the pressure on them and their "

@@ -118,8 +118,9 @@ namespace caudal
 
       std::optional<double> read_interval() const
       {
-        const std::string path = "Output/Surfaces/Interval", remedy = "Give automatic or a time [s].";
-        const auto        time = read_unless_automatic(path, interval, remedy);
+        const std::string path   = "Output/Surfaces/Interval",
+                          remedy = "Give automatic or a time [s].";
+        const auto time          = read_unless_automatic(path, interval, remedy);
         if (time)
           check_not_negative(path, *time, remedy);
         return time;
@@ -127,11 +128,11 @@ namespace caudal
 
       void write_surface(const Observation<dim> &observation, const BodyObservation<dim> &observed)
       {
-        const DoFHandler<dim> &dofs         = observed.body.get_solid().get_dof_handler();
-        const Vector<double>   displacement = compute_displacement(observed);
-        const Vector<double>   move         = compute_move(observed);
+        const DoFHandler<dim>      &dofs         = observed.body.get_solid().get_dof_handler();
+        const Vector<double>        displacement = compute_displacement(observed);
+        const Vector<double>        move         = compute_move(observed);
         const MappingQEulerian<dim> mapping(dofs.get_fe().degree, dofs, move);
-        const SurfaceLoad      load =
+        const SurfaceLoad           load =
             compute_load(observation, observed, compute_node_normals(dofs, mapping));
 
         DoFHandler<dim> scalar_dofs(dofs.get_triangulation());
@@ -177,10 +178,9 @@ namespace caudal
         SurfaceLoad load{Vector<double>(solid.n_dofs()), Vector<double>(solid.n_dofs())};
         for (unsigned int k = 0; k < nodes.size(); ++k)
         {
-          const Tensor<2, dim> strain = flow[k].gradient + transpose(flow[k].gradient);
-          const Tensor<1, dim> traction =
-              parameters.get_viscosity() * strain * directions[k] -
-              flow[k].pressure * directions[k];
+          const Tensor<2, dim> strain   = flow[k].gradient + transpose(flow[k].gradient);
+          const Tensor<1, dim> traction = parameters.get_viscosity() * strain * directions[k] -
+                                          flow[k].pressure * directions[k];
           set_value(load.traction, nodes[k], traction);
           for (unsigned int d = 0; d < dim; ++d)
             load.pressure[nodes[k][d]] = flow[k].pressure;

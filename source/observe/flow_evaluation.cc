@@ -96,8 +96,8 @@ namespace caudal
   std::vector<FlowValue<dim>> evaluate_flow(const Observation<dim>        &observation,
                                             const std::vector<Point<dim>> &points)
   {
-    constexpr unsigned int n_numbers = dim + dim * dim + 2; // the last one counts cells
-    const CellLattice<dim> &lattice  = observation.lattice;
+    constexpr unsigned int  n_numbers = dim + dim * dim + 2; // the last one counts cells
+    const CellLattice<dim> &lattice   = observation.lattice;
     const ActiveCells<dim>  cells(lattice, observation.space.get_triangulation(), 0);
     FlowEvaluation<dim>     evaluation(observation.space, observation.fluid);
     std::vector<double>     numbers(n_numbers * points.size());

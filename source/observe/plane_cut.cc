@@ -56,7 +56,7 @@ namespace caudal
           return std::atan2(second * (point - middle), first * (point - middle));
         };
         std::sort(points.begin(), points.end(),
-                            [&](const auto &a, const auto &b) { return angle(a) < angle(b); });
+                  [&](const auto &a, const auto &b) { return angle(a) < angle(b); });
       }
     }
   } // namespace
@@ -74,8 +74,9 @@ namespace caudal
       pieces.push_back({{points[0], points[1]}});
     else
       for (unsigned int k = 1; k + 1 < points.size(); k += 2)
-        pieces.push_back({{points[0], points[k],
-                           points[std::min<std::size_t>(k + 2, points.size() - 1)], points[k + 1]}});
+        pieces.push_back(
+            {{points[0], points[k], points[std::min<std::size_t>(k + 2, points.size() - 1)],
+              points[k + 1]}});
     return pieces;
   }
 

@@ -26,8 +26,9 @@ namespace caudal
     };
 
     const DimensionalRegistration<FlowQuantity, QCriterion>
-        registration("Q", "half the excess of rotation over strain, (|W|^2 - |S|^2)/2 with the skew "
-                          "and the symmetric part of grad u, positive in vortices (Hunt, Wray and "
-                          "Moin 1988) [1/s^2]");
+        registration("Q",
+                     "half the excess of rotation over strain, (|W|^2 - |S|^2)/2 with the skew "
+                     "and the symmetric part of grad u, positive in vortices (Hunt, Wray and "
+                     "Moin 1988) [1/s^2]");
   } // namespace
 } // namespace caudal

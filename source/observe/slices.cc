@@ -17,10 +17,10 @@ namespace caudal
     class ReadyPatches : public DataOutInterface<patch_dim, dim>
     {
     public:
-      using Patch  = DataOutBase::Patch<patch_dim, dim>;
-      using Ranges = std::vector<
-          std::tuple<unsigned int, unsigned int, std::string,
-                     DataComponentInterpretation::DataComponentInterpretation>>;
+      using Patch = DataOutBase::Patch<patch_dim, dim>;
+      using Ranges =
+          std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                                 DataComponentInterpretation::DataComponentInterpretation>>;
 
       std::vector<Patch>       patches;
       std::vector<std::string> names;
@@ -125,9 +125,9 @@ namespace caudal
           for (const auto &field : derived)
             slice.add_field(field->get_names()[0], field->get_names().size());
           const Plane<dim> plane = make_plane(observation.lattice, point, normal);
-          slice.patches = collect(cut_cells(observation, plane, context.output.n_subdivisions,
-                                            derived),
-                                  slice.names.size(), observation);
+          slice.patches =
+              collect(cut_cells(observation, plane, context.output.n_subdivisions, derived),
+                      slice.names.size(), observation);
           this->add(slice, "slice_" + std::to_string(k + 1), observation, MPI_COMM_SELF);
         }
       }
@@ -169,7 +169,7 @@ namespace caudal
           for (unsigned int d = 0; d < dim; ++d)
             corner[d] = ((v >> d) & 1) * lattice.get_number_of_cells(d, 0);
           const double distance = plane.get_distance(lattice.get_lower_corner(corner, 0));
-          range                 = {std::min(range.first, distance), std::max(range.second, distance)};
+          range = {std::min(range.first, distance), std::max(range.second, distance)};
         }
         return range;
       }
@@ -205,9 +205,9 @@ namespace caudal
           if (!cell->is_locally_owned() ||
               std::abs(plane.get_distance(cell->center())) > cell->diameter())
             continue;
-          const auto             size    = observation.space.get_cell_size(cell->level());
-          const Tensor<1, dim>   part    = size / static_cast<double>(n_subdivisions);
-          std::array<int, dim>   first{}, last{};
+          const auto           size = observation.space.get_cell_size(cell->level());
+          const Tensor<1, dim> part = size / static_cast<double>(n_subdivisions);
+          std::array<int, dim> first{}, last{};
           last.fill(n_subdivisions - 1);
           std::vector<Point<dim>> points, unit_points;
           any_cell_between(first, last, [&](const std::array<int, dim> &index) {
@@ -224,8 +224,7 @@ namespace caudal
           {
             unit_points.emplace_back();
             for (unsigned int d = 0; d < dim; ++d)
-              unit_points.back()[d] =
-                  std::clamp((point[d] - cell->vertex(0)[d]) / size[d], 0., 1.);
+              unit_points.back()[d] = std::clamp((point[d] - cell->vertex(0)[d]) / size[d], 0., 1.);
           }
           append(points, evaluation.evaluate(cell, unit_points), derived, numbers);
         }

@@ -46,7 +46,7 @@ int main()
   print_plane_flows<3>();
 
   // Q = w^2 - 3/4 a^2 and lambda_2 = a^2/4 - w^2.
-  const double   a = 2, w = 1.5;
+  const double a = 2, w = 1.5;
   Tensor<2, 3> burgers;
   burgers[0][0] = burgers[1][1] = -a / 2;
   burgers[2][2]                 = a;

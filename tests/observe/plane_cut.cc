@@ -37,8 +37,8 @@ namespace
       unsigned n_pieces = 0;
       for (int k = 0; k < std::pow(n, dim); ++k)
       {
-        const Point<3>   lower(k % n * size[0], k / n % n * size[0], k / n / n * size[0]);
-        Point<dim>       corner;
+        const Point<3> lower(k % n * size[0], k / n % n * size[0], k / n / n * size[0]);
+        Point<dim>     corner;
         for (unsigned int d = 0; d < dim; ++d)
           corner[d] = lower[d];
         for (const auto &piece : cut_box(plane, corner, size))

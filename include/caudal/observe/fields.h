@@ -53,17 +53,17 @@ namespace caudal
   void add_vector(DataOut &data_out, const DoFHandler<dim> &dofs, const VectorType &values,
                   const std::string &name)
   {
-    data_out.add_data_vector(
-        dofs, values, std::vector<std::string>(dim, name),
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(dofs, values, std::vector<std::string>(dim, name),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 dim, DataComponentInterpretation::component_is_part_of_vector));
   }
 
   /** The displacement X - X_0 of a body's nodes [m]. */
   template <int dim>
   Vector<double> compute_displacement(const BodyObservation<dim> &observed);
 
-  /** How far the nodes are from their places on the body's grid, which lives in its own frame [m]. */
+  /** How far the nodes are from their places on the body's grid, which lives in its own frame [m].
+   */
   template <int dim>
   Vector<double> compute_move(const BodyObservation<dim> &observed);
 } // namespace caudal

@@ -10,8 +10,8 @@ namespace caudal
   template <int dim>
   struct FlowValue
   {
-    Tensor<1, dim> velocity; // [m/s]
-    Tensor<2, dim> gradient; // du_i/dx_j [1/s]
+    Tensor<1, dim> velocity;     // [m/s]
+    Tensor<2, dim> gradient;     // du_i/dx_j [1/s]
     double         pressure = 0; // [Pa]
   };
 
