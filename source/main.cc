@@ -234,6 +234,15 @@ namespace
                                     : run_model<Model<3>>(file, command_line);
   }
 
+  /** Those of the dimension that the file asks for, of the plane without a file. */
+  template <template <int> class Parameters>
+  Exit print_parameters_of_dimension(const ParameterFile *file, const std::string &format)
+  {
+    return file != nullptr && get_dimension(*file) == 3
+               ? print_model_parameters<Parameters<3>>(file, format)
+               : print_model_parameters<Parameters<2>>(file, format);
+  }
+
   /** What the program can do with a model. */
   struct Model
   {
@@ -244,14 +253,14 @@ namespace
 
   const Model models[] = {
       {"immersed", run_model_in_dimension<ImmersedSwimmer>,
-       print_model_parameters<RunParameters<2>>},
+       print_parameters_of_dimension<RunParameters>},
       {"potential", run_model<IdealSwimmer>,
        [](const ParameterFile *, const std::string &format) { // of a body without a name
          return print_model_parameters<IdealParameters>(nullptr, format);
        }},
       {"passage", run_model<FishPassage>, print_model_parameters<PassageParameters>},
       {"elastic", run_model_in_dimension<ElasticBody>,
-       print_model_parameters<ElasticParameters<2>>}};
+       print_parameters_of_dimension<ElasticParameters>}};
 
   /** The model that @p file asks for; the first one without an entry or a file. */
   const Model &find_model(const ParameterFile *file)

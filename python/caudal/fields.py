@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A VTU file as numpy arrays: points, triangles and point data."""
+"""VTU files as numpy arrays: points, triangles or hexahedra, and point data."""
 
 import dataclasses
 import functools
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUAD, vtkCellArray, vtkImageData,
+                                           vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
@@ -26,6 +28,15 @@ class Field:
     triangles: np.ndarray  # (m, 3)
     data: dict             # name -> (n,) or (n, 3)
     grid: object           # the VTK data set, for sampling
+
+    @property
+    def cells(self):
+        """The triangles, as other fields call theirs."""
+        return self.triangles
+
+    @property
+    def sizes(self):
+        return self.areas
 
     @functools.cached_property
     def areas(self):
@@ -93,13 +104,47 @@ def check_whole(path):
             raise BrokenData(f"{path} is cut off: its end is missing.")
 
 
-def read(path):
-    """The field in a VTU file; cells of higher order are divided."""
+def merge_points(points):
+    """Points that are one, as the first of each and the number of the one that each becomes: their
+    coordinates agree to about a millionth of the extent."""
+    spacing = 1.234567e-6 * np.ptp(points, axis=0).max()  # lattices don't lie on its roundings
+    keys = np.zeros(len(points), dtype=np.int64)
+    for column in (points - points.min(axis=0)).T:
+        keys = keys * 2_000_000 + np.round(column / spacing).astype(np.int64)
+    _, first, merged = np.unique(keys, return_index=True, return_inverse=True)
+    return first, merged
+
+
+def average(values, merged):
+    """Of points that are merged the mean values."""
+    count = np.bincount(merged)
+    if values.ndim == 1:
+        return np.bincount(merged, values) / count
+    return np.stack([np.bincount(merged, component) / count for component in values.T], axis=1)
+
+
+def get_arrays(data, merged):
+    """Point data of VTK by name, averaged where points are merged."""
+    return {data.GetArrayName(i): average(vtk_to_numpy(data.GetArray(i)), merged)
+            for i in range(data.GetNumberOfArrays())}
+
+
+def read_grid(path):
+    """A VTU file as the data set of VTK."""
     check_whole(path)
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
+    reader.Update()
+    if reader.GetOutput().GetNumberOfCells() == 0:
+        raise BrokenData(f"{path} can't be read or has no cells.")
+    return reader.GetOutput()
+
+
+def read(path):
+    """The field in a VTU file; cells of higher order are divided."""
+    grid = read_grid(path)
     surface = vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
+    surface.SetInputData(grid)
     triangulation = vtkTriangleFilter()
     triangulation.SetInputConnection(surface.GetOutputPort())
     triangulation.Update()
@@ -112,21 +157,57 @@ def read(path):
         raise MissingData(f"{path} is three-dimensional: look at it in ParaView.")
     points = points[:, :2]
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    first, merged = merge_points(points)
+    return Field(points[first], merged[triangles], get_arrays(mesh.GetPointData(), merged), grid)
 
-    # Points that are one: their coordinates agree to a millionth of the extent.
-    spacing = 1e-6 * np.ptp(points, axis=0).max()
-    keys = np.round((points - points.min(axis=0)) / spacing).astype(np.int64)
-    _, first, merged = np.unique(keys[:, 0] * 2_000_000 + keys[:, 1],
-                                 return_index=True, return_inverse=True)
-    count = np.bincount(merged)
 
-    def average(values):
-        if values.ndim == 1:
-            return np.bincount(merged, values) / count
-        return np.stack([average(component) for component in values.T], axis=1)
+@dataclasses.dataclass(eq=False)
+class Volume:
+    """Data on cells in space that share their points: hexahedra, or the quadrilaterals of a surface;
+    values are averaged where cells meet, so that surfaces of equal values have no seams."""
 
-    data = mesh.GetPointData()
-    return Field(points[first], merged[triangles],
-                 {data.GetArrayName(i): average(vtk_to_numpy(data.GetArray(i)))
-                  for i in range(data.GetNumberOfArrays())},
-                 reader.GetOutput())
+    points: np.ndarray  # (n, 3) [m]
+    cells: np.ndarray   # (m, 8) or (m, 4), the order of VTK
+    data: dict          # name -> (n,) or (n, 3)
+
+    @functools.cached_property
+    def sizes(self):
+        """Volumes of the cells of a fluid, which are boxes [m^3]."""
+        return np.ptp(self.points[self.cells], axis=1).prod(axis=1)
+
+    def smooth(self, values):
+        """Values at the points (n,): means of the mean values of the cells that meet there. Gradients
+        jump between cells and are the least exact at their corners."""
+        corners = self.cells.ravel()
+        means = np.repeat(values[self.cells].mean(axis=1), self.cells.shape[1])
+        return np.bincount(corners, means) / np.bincount(corners)
+
+    @functools.cached_property
+    def grid(self):
+        """The same as a data set of VTK."""
+        grid, points, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
+        points.SetData(numpy_to_vtk(np.ascontiguousarray(self.points), deep=True))
+        n, corners = self.cells.shape
+        cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, n * corners + 1, corners, dtype=np.int64),
+                                              deep=True),
+                      numpy_to_vtkIdTypeArray(self.cells.astype(np.int64).ravel(), deep=True))
+        grid.SetPoints(points)
+        grid.SetCells(VTK_HEXAHEDRON if corners == 8 else VTK_QUAD, cells)
+        for name, values in self.data.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        return grid
+
+
+def read_volume(path):
+    """The fields in a VTU file of three dimensions: of the fluid, of a body, or of a surface."""
+    grid = read_grid(path)
+    corners = grid.GetCell(0).GetNumberOfPoints()
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    if corners not in (4, 8) or len(cells) != corners * grid.GetNumberOfCells():
+        raise BrokenData(f"{path} has cells that are neither hexahedra nor quadrilaterals.")
+    first, merged = merge_points(points)
+    return Volume(points[first], merged[cells.reshape(-1, corners)],
+                  get_arrays(grid.GetPointData(), merged))

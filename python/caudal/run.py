@@ -22,6 +22,12 @@ def read_json(path):
         raise BrokenData(f"{path} is no valid JSON. Was it cut off?") from error
 
 
+# Where what the lists of fields name comes from.
+LISTS = {"solution": "Flow pictures need Output/Format = vtu.",
+         "surfaces": "The surfaces of bodies need Output/Surfaces/Write = true and Format = vtu.",
+         "slices": "Slices need planes in Output/Slices/Planes and Output/Format = vtu."}
+
+
 class Run:
     """The results in one output folder. Files are read when they are asked for."""
 
@@ -146,12 +152,25 @@ class Run:
 
     # Fields
 
+    @property
+    def is_spatial(self):
+        """Whether the run has three dimensions; one that has no parameters has two."""
+        try:
+            return self.parameters.get("Dimension", "2") == "3"
+        except MissingData:
+            return False
+
     @functools.cached_property
     def files(self):
         """File names by time and block name, from solution.pvd."""
-        path = self.folder / "solution.pvd"
+        return self.read_list("solution")
+
+    @functools.lru_cache(maxsize=8)
+    def read_list(self, name):
+        """File names by time and block name, from a list: solution, surfaces or slices."""
+        path = self.folder / f"{name}.pvd"
         if not path.is_file():
-            raise MissingData(f"There is no {path}. Flow pictures need Output/Format = vtu.")
+            raise MissingData(f"There is no {path}. " + LISTS[name])
         files = {}
         try:
             entries = list(xml.parse(path).iter("DataSet"))
@@ -159,8 +178,8 @@ class Run:
             raise BrokenData(f"{path} is no whole XML: {error}. Was it cut off?") from error
         for entry in entries:
             blocks = files.setdefault(float(entry.get("timestep")), {})
-            name = entry.get("name") or pathlib.Path(entry.get("file")).stem.rpartition("-")[0]
-            blocks[name] = self.folder / entry.get("file")
+            block = entry.get("name") or pathlib.Path(entry.get("file")).stem.rpartition("-")[0]
+            blocks[block] = self.folder / entry.get("file")
         if not files:
             raise MissingData(f"{path} lists no fields yet.")
         return files
@@ -185,6 +204,24 @@ class Run:
         """The field of a block at the time of an output: points, triangles and data."""
         from . import fields  # which needs VTK; tables don't
         return fields.read(self.files[time][name])
+
+    @functools.lru_cache(maxsize=4)
+    def read_volume(self, time, name):
+        """The same in three dimensions: points, cells and data."""
+        from . import fields
+        return fields.read_volume(self.files[time][name])
+
+    def read_volumes(self, time):
+        """The bodies at the time of an output in three dimensions, by name."""
+        return {name: self.read_volume(time, name) for name in self.files[time] if name != "fluid"}
+
+    def read_surfaces(self):
+        """The time of the last output of the bodies' surfaces, and these by name, in three
+        dimensions."""
+        from . import fields
+        time, blocks = max(self.read_list("surfaces").items())
+        return time, {name.removeprefix("surface_"): fields.read_volume(path)
+                      for name, path in blocks.items()}
 
     def read_fluid(self, time):
         return self.read(time, "fluid")

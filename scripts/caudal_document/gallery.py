@@ -54,6 +54,9 @@ PICTURES = (
     draw("flag", "A flag behind a cylinder", "prm/benchmarks/fsi3_fast.prm", "fsi3_fast", "vorticity",
          "Turek and Hron's benchmark FSI3 at its least cost: flutter of an elastic flag; amplitude, "
          "frequency and drag are compared in prm/benchmarks/README.md.", "--limit 150"),
+    draw("vortices", "Vortices in three dimensions", "prm/cookbook/ball.prm", "ball", "vortices",
+         "A ball in a stream at a Reynolds number of 100, on a coarse grid: a surface of equal Q, coloured "
+         "by the vorticity about z ([recipe](cookbook/three_dimensions.md)).", "--level 4"),
     Picture("salmon", "A salmon in an ideal fluid", "scripts/salmon", "salmon_study", (),
             "swimming_shapes.png",
             "Six joints bend three shapes alike, boundary elements give the pressure on them and their "
@@ -111,7 +114,7 @@ def make(root, names):
             shell(command, root)
         target = root / "doc" / "gallery" / f"{picture.name}.png"
         target.parent.mkdir(exist_ok=True)
-        is_field = picture.file == "plots/vorticity.png"
+        is_field = picture.file in ("plots/vorticity.png", "plots/vortices.png")
         target.write_bytes(shrink((folder / picture.file).read_bytes(), is_field))
         print(f"{target} ({target.stat().st_size / 1000:.0f} kB)")
     write_page(root)

@@ -68,14 +68,15 @@ def parse_markdown(text, model):
     return parameters
 
 
-def print_parameters(program, model):
+def print_parameters(program, model, dimension=2):
     """What the program prints of the parameters of a model; those of the first one, whose bodies
     and regions can have any names, are what it prints without a case."""
     with tempfile.TemporaryDirectory() as folder:
         case = pathlib.Path(folder) / "case.prm"
         bodies = "set Bodies = body\n" if model == "elastic" else ""
-        case.write_text(f"set Model = {model}\n{bodies}", encoding="utf-8")
-        arguments = [] if model == "immersed" else [str(case)]
+        spatial = "set Dimension = 3\n" if dimension == 3 else ""
+        case.write_text(f"set Model = {model}\n{spatial}{bodies}", encoding="utf-8")
+        arguments = [] if model == "immersed" and not spatial else [str(case)]
         return subprocess.run([program, "--print-parameters", "md", *arguments], check=True,
                               capture_output=True, text=True).stdout
 
@@ -95,6 +96,12 @@ def read_parameters(program):
                 same[0].models.append(model)
             else:
                 known.append(parameter)
+    # Of three dimensions only what two don't have: the sides back and front.
+    for parameter in parse_markdown(print_parameters(program, "immersed", 3), "immersed"):
+        known = sections.setdefault(parameter.section, {}).setdefault(parameter.name, [])
+        if not known:
+            parameter.meaning = "In three dimensions: " + parameter.meaning
+            known.append(parameter)
     return [parameter for entries in sections.values() for variants in entries.values()
             for parameter in variants]
 

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 
 from caudal import Run, fields
-from caudal_plots import MissingData, flow, style
+from caudal_plots import MissingData, flow, space, style
 from caudal_salmon import pictures
 
 VIEW = pathlib.Path(__file__).resolve().parent / "view.py"
@@ -17,11 +17,23 @@ VIEW = pathlib.Path(__file__).resolve().parent / "view.py"
 def describe_immersed(run):
     """Fluid and bodies: the scale of the vorticity is that of scripts/plot."""
     time = run.times[-1]
+    if run.is_spatial:
+        return describe_spatial(run, time)
     body = flow.get_first_body(run, time)
     fluid = run.read_fluid(time)
     return {"FLUID": "fluid", "BODIES": list(run.read_bodies(time)), "COLOUR": "vorticity",
             "LIMIT": float(flow.get_vorticity_limit(fluid, run.read_bodies(time))), "UNIT": "1/s",
-            "LENGTH": float(flow.get_length(body))}
+            "LENGTH": float(flow.get_length(body)), "LEVEL": None}
+
+
+def describe_spatial(run, time):
+    """The same in three dimensions, where a surface of equal Q shows the vortices."""
+    bodies, fluid = run.read_volumes(time), run.read_volume(time, "fluid")
+    length = flow.get_length(next(iter(bodies.values()))) if bodies else np.ptp(fluid.points[:, 0])
+    return {"FLUID": "fluid", "BODIES": list(bodies), "COLOUR": "vorticity",
+            "LIMIT": float(flow.get_vorticity_limit(fluid, bodies)), "UNIT": "1/s",
+            "LENGTH": float(length), "LEVEL": float(space.find_level(fluid, bodies)),
+            "CAMERA": space.PERSPECTIVE}
 
 
 def describe_potential(run):
@@ -35,13 +47,14 @@ def describe_potential(run):
     return {"FLUID": None, "BODIES": [shown] + [name for name in names if name != shown],
             "COLOUR": "pressure", "UNIT": "Pa",
             "LIMIT": float(style.get_round_limit(np.percentile(abs(pressure), 90))),
-            "LENGTH": float(np.ptp(corners.reshape(-1, 3), axis=0).max())}
+            "LENGTH": float(np.ptp(corners.reshape(-1, 3), axis=0).max()), "LEVEL": None}
 
 
 def main(arguments):
     parser = argparse.ArgumentParser(
         prog="scripts/paraview", description="Writes DIR/view.py, which opens a run of Caudal in "
-        "ParaView: fluid and bodies together, coloured by vorticity, or by pressure in an ideal fluid.")
+        "ParaView: fluid and bodies together, coloured by vorticity, or by pressure in an ideal fluid; in three dimensions "
+        "the vortices, a surface of equal Q.")
     parser.add_argument("folder", metavar="DIR", type=pathlib.Path, help="the run's output folder")
     options = parser.parse_args(arguments)
     folder = options.folder.resolve()
@@ -65,5 +78,5 @@ def main(arguments):
         print(f"scripts/paraview: {folder} can't be read or written: {error}.", file=sys.stderr)
         return 1
     print(f"paraview --script={script}")
-    print(f"pvpython {script} picture.png    # without a display: xvfb-run -a pvpython ...")
+    print(f"pvpython {script} picture.png    # without a display: xvfb-run -a -s -noreset pvpython ...")
     return 0

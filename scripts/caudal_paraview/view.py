@@ -3,13 +3,13 @@
 
 paraview --script=view.py shows them; pvpython view.py picture.png draws a picture instead, of the
 last time or of one in seconds that follows. Debian's ParaView needs a display for that: without
-one, put xvfb-run -a (package xvfb) in front.
+one, put xvfb-run -a -s -noreset (package xvfb) in front.
 """
 
 import sys
 
-from paraview.simple import (AnnotateTimeFilter, CellDatatoPointData, CleantoGrid, ColorBy,
-                             ExtractBlock, GetActiveViewOrCreate,
+from paraview.simple import (AnnotateTimeFilter, CellDatatoPointData, CleantoGrid, ColorBy, Contour,
+                             ExtractBlock, GetActiveViewOrCreate, Gradient,
                              GetAnimationScene, GetColorTransferFunction, GetScalarBar, Hide,
                              PointDatatoCellData, PVDReader, Render, SaveScreenshot, Show)
 from vtkmodules.vtkCommonDataModel import vtkDataAssembly
@@ -37,17 +37,34 @@ def extract_smooth(reader, name):
     return CellDatatoPointData(registrationName=name, Input=joined)
 
 
+def make_vortices(reader):
+    """The surface Q = LEVEL; Q is made of the velocity if the run has not written it."""
+    smooth = extract_smooth(reader, FLUID)
+    smooth.UpdatePipeline()
+    if "Q" not in smooth.PointData.keys():
+        smooth = Gradient(registrationName="Q", Input=smooth, ScalarArray=["POINTS", "velocity"],
+                          ComputeGradient=0, ComputeQCriterion=1, QCriterionArrayName="Q")
+    return Contour(registrationName="vortices", Input=smooth, ContourBy=["POINTS", "Q"],
+                   Isosurfaces=[LEVEL])
+
+
 def colour(display, view):
-    """By COLOUR, from -LIMIT to LIMIT."""
-    ColorBy(display, ("POINTS", COLOUR))
-    display.Ambient, display.Diffuse = 1, 0  # no shadows on the colours
+    """By COLOUR, from -LIMIT to LIMIT; in three dimensions by its component about z."""
     table = GetColorTransferFunction(COLOUR)
+    if LEVEL:
+        ColorBy(display, ("POINTS", COLOUR, "Z"))
+        table.VectorMode, table.VectorComponent = "Component", 2
+        display.Opacity = 0.7
+    else:
+        ColorBy(display, ("POINTS", COLOUR))
+        display.Ambient, display.Diffuse = 1, 0  # no shadows on the colours
     steps = COLOURS[COLOUR]
     table.ColorSpace = "RGB"
     table.RGBPoints = [number for k, rgb in enumerate(steps)
                        for number in (LIMIT * (2 * k / (len(steps) - 1) - 1), *rgb)]
     bar = GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = f"{COLOUR} [{UNIT}]", ""
+    bar.Title = f"{COLOUR} about z [{UNIT}]" if LEVEL else f"{COLOUR} [{UNIT}]"
+    bar.ComponentTitle = ""
     bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", [0.325, 0.04]
     bar.ScalarBarLength, bar.ScalarBarThickness = 0.35, 12
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
@@ -69,11 +86,22 @@ def place_camera(view, bounds):
                                    0.7 * (bounds[3] - bounds[2]))
 
 
+def place_camera_aside(view, bounds):
+    """From aside and above, on the first body and two lengths of its wake."""
+    direction, up = CAMERA
+    middle = [(bounds[0] + bounds[1]) / 2 + LENGTH, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2]
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = middle
+    view.CameraPosition = [m - 20 * LENGTH * d for m, d in zip(middle, direction)]
+    view.CameraViewUp = up
+    view.CameraParallelScale = 0.9 * LENGTH
+
+
 def open_run(time=None):
     """Builds the view; at the last time unless another one is given."""
     reader = PVDReader(registrationName="run", FileName=FILE)
     view = GetActiveViewOrCreate("RenderView")
-    view.ViewSize = [1400, 460 if FLUID else 700]
+    view.ViewSize = [1400, 460 if FLUID and not LEVEL else 700]
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.OrientationAxesVisibility = 0
@@ -82,7 +110,9 @@ def open_run(time=None):
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = reader.TimestepValues[-1] if time is None else time
 
-    if FLUID:
+    if LEVEL:
+        colour(Show(make_vortices(reader), view), view)
+    elif FLUID:
         colour(Show(extract_smooth(reader, FLUID), view), view)
     bodies = [extract(reader, name, name) for name in BODIES]
     for k, body in enumerate(bodies):
@@ -90,7 +120,8 @@ def open_run(time=None):
         if FLUID:
             display.ColorArrayName = ["POINTS", ""]
             display.AmbientColor = display.DiffuseColor = [0.23, 0.25, 0.27]
-            display.Position = [0, 0, 0.01 * LENGTH]  # on top of the plane of the fluid
+            if not LEVEL:
+                display.Position = [0, 0, 0.01 * LENGTH]  # on top of the plane of the fluid
         else:
             colour(display, view)
             if k > 0:
@@ -99,7 +130,9 @@ def open_run(time=None):
                  view)
     clock.Color, clock.FontSize = [0, 0, 0], 16
     Render(view)
-    place_camera(view, bodies[0].GetDataInformation().GetBounds())
+    shown = bodies[0] if bodies else reader
+    place = place_camera_aside if LEVEL else place_camera
+    place(view, shown.GetDataInformation().GetBounds())
     Render(view)
     return view
 

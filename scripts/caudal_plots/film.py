@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A film of the vorticity, as mp4 and as gif, by ffmpeg."""
+"""A film of the vorticity, in three dimensions of the vortices, as mp4 and as gif, by ffmpeg."""
 
 import shutil
 import subprocess
@@ -7,7 +7,7 @@ import sys
 
 from caudal_setup import SETUP
 
-from . import MissingData, flow, style
+from . import MissingData, flow, space, style
 
 FRAMES_PER_SECOND = 12
 GIF_WIDTH = 900  # [pixels]
@@ -26,15 +26,23 @@ def find_ffmpeg():
     return shutil.which("ffmpeg")
 
 
-def draw_frames(run, folder):
-    """One picture for each output, all with one colour scale; returns their number."""
+def get_drawing(run):
+    """The function that draws the run at a time, with the scale of the last output."""
+    if run.is_spatial:
+        return space.Sequence(run).draw
     last = run.times[-1]
     limit = flow.get_vorticity_limit(run.read_fluid(last), run.read_bodies(last))
+    return lambda time: flow.draw_vorticity(run, time, limit)
+
+
+def draw_frames(run, folder):
+    """One picture for each output, all with one colour scale; returns their number."""
+    draw = get_drawing(run)
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("[0-9]" * 5 + ".png"):  # of an earlier call, when there were more outputs
         old.unlink()
     for number, time in enumerate(run.times):
-        figure = flow.draw_vorticity(run, time, limit)
+        figure = draw(time)
         figure.savefig(folder / f"{number:05d}.png")
         style.close(figure)
     return len(run.times)

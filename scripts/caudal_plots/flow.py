@@ -37,7 +37,7 @@ def get_first_body(run, time):
 
 def get_reference(body):
     """The body's points before the deformation."""
-    return body.points - get_data(body, "displacement")[:, :2]
+    return body.points - get_data(body, "displacement")[:, :body.points.shape[1]]
 
 
 def get_length(body):
@@ -45,15 +45,13 @@ def get_length(body):
     return np.ptp(get_reference(body), axis=0).max()
 
 
-def find_far_triangles(fluid, bodies):
-    """Which triangles of the fluid are farther than NEAR from all bodies."""
-    centres = fluid.points[fluid.triangles].mean(axis=1)
+def find_far(centres, bodies):
+    """Which of the centres of cells are farther than NEAR from all bodies."""
     is_far = np.ones(len(centres), dtype=bool)
     for body in bodies.values():
         distance = NEAR * get_length(body)
-        x0, x1, y0, y1 = get_limits(body.points)
-        box = np.flatnonzero((centres[:, 0] > x0 - distance) & (centres[:, 0] < x1 + distance) &
-                             (centres[:, 1] > y0 - distance) & (centres[:, 1] < y1 + distance))
+        low, high = body.points.min(axis=0), body.points.max(axis=0)
+        box = np.flatnonzero(((centres > low - distance) & (centres < high + distance)).all(axis=1))
         if len(box):
             nearest = np.full(len(box), np.inf)
             for point in body.points[::max(len(body.points) // 500, 1)]:
@@ -62,20 +60,33 @@ def find_far_triangles(fluid, bodies):
     return is_far
 
 
-def get_vorticity_limit(fluid, bodies):
-    """End of the colour scale: below it lies most of the absolute circulation off the bodies.
+def find_far_triangles(fluid, bodies):
+    """Which triangles of the fluid are farther than NEAR from all bodies."""
+    return find_far(fluid.points[fluid.cells].mean(axis=1), bodies)
 
-    Extremes in the boundary layer would leave the wake without colour.
-    """
-    strength = abs(get_data(fluid, "vorticity")[fluid.triangles].mean(axis=1))
-    circulation = strength * fluid.areas
-    is_far = find_far_triangles(fluid, bodies)
-    if (circulation * is_far).sum() > 0.01 * circulation.sum():  # there is a wake
-        circulation = circulation * is_far
+
+def find_middle(strength, circulation):
+    """The strength below which lies most of the circulation, rounded."""
     order = np.argsort(strength)
     circulation = np.cumsum(circulation[order])
     middle = np.searchsorted(circulation, 0.6 * circulation[-1])
     return style.get_round_limit(strength[order[min(middle, len(order) - 1)]])
+
+
+def get_vorticity_limit(fluid, bodies):
+    """End of the colour scale: below it lies most of the absolute circulation off the bodies; in
+    three dimensions that about z.
+
+    Extremes in the boundary layer would leave the wake without colour.
+    """
+    vorticity = get_data(fluid, "vorticity")
+    vorticity = vorticity if vorticity.ndim == 1 else vorticity[:, 2]
+    strength = abs(vorticity[fluid.cells].mean(axis=1))
+    circulation = strength * fluid.sizes
+    is_far = find_far_triangles(fluid, bodies)
+    if (circulation * is_far).sum() > 0.01 * circulation.sum():  # there is a wake
+        circulation = circulation * is_far
+    return find_middle(strength, circulation)
 
 
 def get_wake_window(body, domain):

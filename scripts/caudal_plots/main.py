@@ -7,18 +7,32 @@ import sys
 
 from caudal import Run
 
-from . import MissingData, film, flow, history, passage, style
+from . import MissingData, film, flow, history, passage, space, style
 
 # Of the immersed model: file name in DIR/plots, what it shows, the function that draws it.
-FIGURES = (
+CHARTS = (
     ("speed", "speed and displacement of point A", history.draw_speed),
     ("volume", "area change and range of J", history.draw_volume),
     ("energy", "energy ledger", history.draw_energy),
+)
+FIGURES = CHARTS + (
     ("vorticity", "vorticity and bodies at the last time", flow.draw_vorticity),
     ("start_up", "pressure, velocity and bodies while starting", flow.draw_start_up),
     ("cruise", "pressure, velocity and bodies in the last tail beat", flow.draw_cruise),
     ("body_wave", "outlines through the last tail beat", flow.draw_body_wave),
 )
+SPATIAL = (
+    ("vortices", "surface of Q coloured by vorticity, in perspective and from three sides",
+     space.draw_vortices),
+    ("slices", "vorticity across planes, those of Output/Slices or three through the first body",
+     space.draw_slices),
+    ("surface", "pressure, traction and speed on the bodies (Output/Surfaces)", space.draw_surface),
+)
+
+
+def get_figures(run):
+    """What can be drawn of a run of the immersed model."""
+    return CHARTS + SPATIAL if run.is_spatial else FIGURES
 
 
 def save(figure, path):
@@ -32,15 +46,19 @@ def main(arguments):
     parser = argparse.ArgumentParser(
         prog="scripts/plot", description="Draws the results of a run of Caudal as PNG files.",
         epilog="Figures: " + "; ".join(f"{name}: {text}" for name, text, _ in FIGURES)
+        + ". In three dimensions, in place of those of the fields: "
+        + "; ".join(f"{name}: {text}" for name, text, _ in SPATIAL)
         + ". Of a run with Model = passage: "
         + "; ".join(f"{name}: {text}" for name, text, _ in passage.FIGURES) + ".")
     parser.add_argument("folder", metavar="DIR", type=pathlib.Path,
                         help="the run's output folder; the pictures go to DIR/plots")
     parser.add_argument("--only", metavar="NAME", action="append",
-                        choices=[name for name, _, _ in FIGURES + passage.FIGURES],
+                        choices=[name for name, _, _ in FIGURES + SPATIAL + passage.FIGURES],
                         help="draw this figure only")
     parser.add_argument("--limit", metavar="VALUE", type=float,
                         help="end of the vorticity's colour scale [1/s], which else the wake decides")
+    parser.add_argument("--level", metavar="VALUE", type=float,
+                        help="Q of the vortices' surface [1/s^2], which else the wake decides")
     parser.add_argument("--movie", action="store_true",
                         help="make a film of the vorticity, DIR/plots/movie.mp4 and movie.gif, too")
     options = parser.parse_args(arguments)
@@ -52,15 +70,20 @@ def main(arguments):
     style.apply()
     is_passage = (options.folder / "passage.json").is_file()
     run = passage.Answers(options.folder) if is_passage else Run(options.folder)
-    limits = {"vorticity": {"limit": options.limit}}
+    figures = passage.FIGURES if is_passage else get_figures(run)
+    limits = {"vorticity": {"limit": options.limit}, "slices": {"limit": options.limit},
+              "vortices": {"limit": options.limit, "level": options.level}}
     tasks = [(name, lambda name=name, draw=draw: save(draw(run, **limits.get(name, {})),
                                                       run.folder / "plots" / f"{name}.png"))
-             for name, _, draw in (passage.FIGURES if is_passage else FIGURES)
+             for name, _, draw in figures
              if not options.only or name in options.only]
     if options.movie:
         tasks.append(("movie", lambda: film.make(run, run.folder / "plots")))
 
-    missing = []
+    missing = [name for name in options.only or () if name not in [figure[0] for figure in figures]]
+    for name in missing:
+        print(f"{name}: not drawn. It is none of the pictures of this run, which are: "
+              + ", ".join(figure[0] for figure in figures) + ".", file=sys.stderr)
     for name, draw in tasks:
         try:
             draw()

@@ -5,7 +5,7 @@ import numpy as np
 
 from caudal import Run, read_parameters
 from caudal_plots import style
-from caudal_plots.main import FIGURES
+from caudal_plots.main import get_figures
 
 from . import common, files, movie, page, school, tables
 from .chart import DASHED, make_chart, make_curve, make_curves
@@ -197,8 +197,8 @@ def describe(folder, n_frames, with_pictures, lone=None):
     if lone:
         report.add("Gain of the school", school.make_school_section(entries, reports, lone))
     if n_frames > 0:
-        report.add("The wake", common.place_movie(report,
-                                                  lambda: movie.make_wake_movie(run, n_frames)))
+        make = movie.make_vortex_movie if run.is_spatial else movie.make_wake_movie
+        report.add("The wake", common.place_movie(report, lambda: make(run, n_frames)))
     hint = page.make_note("Drag over a span of time to zoom (all charts), double click for the whole "
                           "run, hover to read values, click a name to hide its curve.")
     report.add("Motion and forces", hint + report.place_charts(
@@ -209,7 +209,7 @@ def describe(folder, n_frames, with_pictures, lone=None):
         report.add("Pictures", page.join(
             common.draw_picture(report, lambda draw=draw: draw(run),
                                 caption[0].upper() + caption[1:])
-            for name, caption, draw in FIGURES if name not in AS_CHARTS))
+            for name, caption, draw in get_figures(run) if name not in AS_CHARTS))
     viscosity = float(run.parameters["Fluid/Kinematic viscosity"])
     report.add("Next", common.make_next_steps(
         folder, log, f"Fluid/Kinematic viscosity={viscosity:g},{2 * viscosity:g}"))

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkProbeFilter
 
-from caudal_plots import MissingData, flow, style
+from caudal_plots import MissingData, flow, space, style
 
 from . import page
 
@@ -162,3 +162,15 @@ def make_wake_movie(run, count):
              f"The wake: {len(times)} of {len(run.times)} outputs, the picture moves with the fish")
     return Movie(title, "webp", frames, [f"t = {time:.3f} s" for time in times],
                  make_scale(limit, "vorticity [1/s]"))
+
+
+def make_vortex_movie(run, count):
+    """The vortices of all outputs in three dimensions, or of @p count of them."""
+    times = choose(run.times, count)
+    sequence = space.Sequence(run)
+    width = min(WIDTH, round(MOST_HEIGHT / sequence.shape))
+    frames = [encode(Image.fromarray(sequence.render(time, width)[0])) for time in times]
+    return Movie(f"Vortices, Q = {sequence.last.level:g} s⁻²: {len(times)} of {len(run.times)} outputs, "
+                 "the picture moves with the body", "webp", frames,
+                 [f"t = {time:.3f} s" for time in times],
+                 make_scale(sequence.last.limit, "vorticity about z [1/s]"))

@@ -55,6 +55,7 @@ namespace caudal
       static const std::regex range(R"(\[(Double|Integer range) (\S+)\.\.\.(\S+) \(inclusive\)\])");
       static const std::regex list(R"(\[List of <(.*)> of length (\d+)\.\.\.(\d+) \(inclusive\))"
                                    R"((?: separated by <(.*)>)?\])");
+      static const std::regex pair(R"(\[Tuple of <2> elements <(.*)>, <\1>\])");
 
       std::smatch match;
       if (pattern == "[Bool]")
@@ -75,6 +76,8 @@ namespace caudal
                                                            : match[2].str() + " or more values";
         return length + " separated by '" + separator + "', each " + describe_pattern(match[1]);
       }
+      if (std::regex_match(pattern, match, pair))
+        return "a pair separated by ':', each " + describe_pattern(match[1]);
       return pattern;
     }
 

@@ -140,10 +140,12 @@ namespace caudal
   }
 
   FieldOutput::FieldOutput(const OutputFolder &folder, const std::string &format,
-                           const MPI_Comm communicator, const Series &series)
+                           const MPI_Comm communicator, const Series &series,
+                           const std::string &list)
       : folder(folder)
       , is_vtu(format == "vtu")
       , communicator(communicator)
+      , list(list)
       , series(series)
   {
     run_on_root(communicator, [&]() {
@@ -200,7 +202,7 @@ namespace caudal
 
   std::string FieldOutput::get_list_name() const
   {
-    return is_vtu ? "solution.pvd" : "solution.xdmf";
+    return list + (is_vtu ? ".pvd" : ".xdmf");
   }
 
   void FieldOutput::write_list() const
@@ -230,6 +232,8 @@ namespace caudal
                                    MPI_Comm);
   template void FieldOutput::write(DataOutInterface<3> &, const std::string &, double, unsigned int,
                                    MPI_Comm);
+  template void FieldOutput::write(DataOutInterface<1, 2> &, const std::string &, double,
+                                   unsigned int, MPI_Comm);
   template void FieldOutput::write(DataOutInterface<2, 3> &, const std::string &, double,
                                    unsigned int, MPI_Comm);
 } // namespace caudal

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/observe/observer.h>
+#include <caudal/observe/fields.h>
 
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q_eulerian.h>
 #include <deal.II/numerics/data_out.h>
-#include <deal.II/numerics/data_postprocessor.h>
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
 #include <type_traits>
 
 namespace caudal
@@ -38,6 +36,32 @@ namespace caudal
       }
     };
 
+    /** A scalar of the velocity's gradient. */
+    template <int dim>
+    class DerivedScalar : public DataPostprocessorScalar<dim>
+    {
+    public:
+      DerivedScalar(const std::string &name, const FlowQuantity<dim> &quantity)
+          : DataPostprocessorScalar<dim>(name, update_gradients)
+          , quantity(quantity)
+      {}
+
+      void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &input,
+                                 std::vector<Vector<double>> &quantities) const override
+      {
+        for (unsigned int q = 0; q < quantities.size(); ++q)
+        {
+          Tensor<2, dim> gradient;
+          for (unsigned int d = 0; d < dim; ++d)
+            gradient[d] = input.solution_gradients[q][d];
+          quantities[q][0] = quantity.evaluate(gradient);
+        }
+      }
+
+    private:
+      const FlowQuantity<dim> &quantity;
+    };
+
     /** The grid where it is in the laboratory's frame. */
     template <int dim>
     class TranslatedMapping : public MappingQ<dim>
@@ -59,175 +83,180 @@ namespace caudal
       }
 
     protected:
-      std::vector<Point<dim>> compute_mapping_support_points(
-          const typename Triangulation<dim>::cell_iterator &cell) const override
+      using Cell = typename Triangulation<dim>::cell_iterator;
+
+#if DEAL_II_VERSION_GTE(9, 8, 0)
+      void compute_mapping_support_points(
+          const Cell &cell, boost::container::small_vector<Point<dim>, 200> &points) const override
+      {
+        MappingQ<dim>::compute_mapping_support_points(cell, points);
+        for (Point<dim> &point : points)
+          point += translation;
+      }
+#else
+      std::vector<Point<dim>> compute_mapping_support_points(const Cell &cell) const override
       {
         auto points = MappingQ<dim>::compute_mapping_support_points(cell);
         for (Point<dim> &point : points)
           point += translation;
         return points;
       }
+#endif
 
     private:
       const Tensor<1, dim> translation;
     };
 
-    /** Velocity, pressure and vorticity of the fluid, and of the bodies' motion and stresses. */
+    /** Per reference volume, at the time of the other fields; at the start there is none. */
     template <int dim>
-    class Fields : public Observer<dim>
+    Vector<double> compute_muscle_force_density(const Observation<dim>     &observation,
+                                                const BodyObservation<dim> &observed)
     {
-    public:
-      Fields()
-          : Observer<dim>(100)
-      {}
-
-      void start(const Observation<dim> &observation, const ObserverContext<dim> &context) override
-      {
-        format = context.output.format;
-        if (context.is_resumed)
-          return;
-        output.emplace(context.folder, format, context.communicator);
-        write(observation, context);
-      }
-
-      void observe_step(const Observation<dim>     &observation,
-                        const ObserverContext<dim> &context) override
-      {
-        if (observation.is_last || is_due(observation.time, context.output.field_interval))
-          write(observation, context);
-      }
-
-      void finish(const Observation<dim> &observation, const ObserverContext<dim> &context) override
-      {
-        write(observation, context);
-      }
-
-      void exchange_state(StateArchive &archive) override
-      {
-        if (output)
-          series = output->get_series();
-        archive &n_outputs &last_time &format &series;
-      }
-
-      void resume(const Observation<dim> &observation, const ObserverContext<dim> &context) override
-      {
-        if (format != context.output.format) // a new list begins
-          series.clear();
-        format = context.output.format;
-        output.emplace(context.folder, format, context.communicator, series);
-        for (const std::string &sentence : output->find_missing_files())
-          context.log << "Warning: " << sentence << std::endl;
-        // Their writing may have been what ended the run.
-        if (is_due(observation.time, context.output.field_interval))
-          write(observation, context);
-      }
-
-    private:
-      std::optional<FieldOutput> output;
-      FieldOutput::Series        series; // of the checkpoint
-      std::string                format;
-      unsigned int               n_outputs = 0;
-      double                     last_time = -1; // [s]
-
-      /** Whether a multiple of the interval was passed since the last, maybe additional, output. */
-      bool is_due(const double time, const double interval) const
-      {
-        const auto count = [&](const double t) { return std::floor(t / interval * (1 + 1e-9)); };
-        return interval == 0 || count(time) > count(last_time);
-      }
-
-      /** The present fields, unless they were written. */
-      void write(const Observation<dim> &observation, const ObserverContext<dim> &context)
-      {
-        if (observation.time == last_time)
-          return;
-        write_fluid(observation, context.output.n_subdivisions);
-        for (const auto &body : observation.bodies)
-          write_body(observation, body);
-        last_time = observation.time;
-        ++n_outputs;
-      }
-
-      void write_fluid(const Observation<dim> &observation, const unsigned int n_subdivisions)
-      {
-        const FluidSpace<dim> &space         = observation.space;
-        const auto            &triangulation = space.get_triangulation();
-        const Vorticity<dim>   vorticity;
-        DataOut<dim>           data_out;
-        data_out.attach_triangulation(triangulation);
-        add_vector(data_out, space.velocity_dofs, observation.fluid.velocity, "velocity");
-        data_out.add_data_vector(space.pressure_dofs, observation.fluid.pressure, "pressure");
-        data_out.add_data_vector(space.velocity_dofs, observation.fluid.velocity, vorticity);
-        Vector<float> level(triangulation.n_active_cells()), rank(triangulation.n_active_cells());
-        for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          level[cell->active_cell_index()] = cell->level();
-          rank[cell->active_cell_index()]  = cell->is_locally_owned() ? cell->subdomain_id() : -1;
-        }
-        data_out.add_data_vector(level, "level");
-        data_out.add_data_vector(rank, "rank");
-        if (observation.grid_moves)
-          // Without the last argument deal.II draws cells inside of the domain where they were.
-          data_out.build_patches(TranslatedMapping<dim>(restrict_to<dim>(observation.origin)),
-                                 n_subdivisions, DataOut<dim>::curved_inner_cells);
-        else
-          data_out.build_patches(n_subdivisions);
-        output->write(data_out, "fluid", observation.time, n_outputs, space.get_communicator());
-      }
-
-      void write_body(const Observation<dim> &observation, const BodyObservation<dim> &observed)
-      {
-        const SolidBody<dim>  &solid = observed.body.get_solid();
-        const BodyState       &state = observed.state;
-        const DoFHandler<dim> &dofs  = solid.get_dof_handler();
-
-        // The grid lives in the body's own frame; the picture in the domain.
-        Vector<double> displacement(state.positions), move(state.positions);
-        displacement -= solid.get_initial_positions();
-        for (const auto &node : solid.get_nodes())
-          for (unsigned int d = 0; d < dim; ++d)
-            move[node[d]] -= solid.get_reference_point(node[0])[d];
-        const Vector<double> muscle_force = compute_muscle_force_density(observation, observed);
-        const auto           cell_means   = compute_cell_means(solid, state.positions);
-
-        DataOut<dim> data_out;
-        data_out.attach_triangulation(solid.get_triangulation());
-        add_vector(data_out, dofs, displacement, "displacement");
-        add_vector(data_out, dofs, state.velocity, "velocity");
-        add_vector(data_out, dofs, muscle_force, "muscle_force");
-        for (const auto &[name, values] : cell_means)
-          data_out.add_data_vector(values, name);
-        const MappingQEulerian<dim> mapping(dofs.get_fe().degree, dofs, move);
-        data_out.build_patches(mapping, dofs.get_fe().degree, DataOut<dim>::curved_inner_cells);
-        output->write(data_out, observed.body.get_name(), observation.time, n_outputs,
-                      MPI_COMM_SELF);
-      }
-
-      /** Per reference volume, at the time of the other fields; at the start there is none. */
-      static Vector<double> compute_muscle_force_density(const Observation<dim>     &observation,
-                                                         const BodyObservation<dim> &observed)
-      {
-        const auto &[body, state, report] = observed;
-        if (observation.step_number == 0)
-          return Vector<double>(body.get_solid().n_dofs());
-        Vector<double> force = body.compute_force(
-            LoadAccount::muscle, body.get_motion(state, observation.time, observation.step));
-        body.get_solid().apply_inverse_mass(force);
-        return force;
-      }
-
-      template <class VectorType>
-      static void add_vector(DataOut<dim> &data_out, const DoFHandler<dim> &dofs,
-                             const VectorType &values, const std::string &name)
-      {
-        data_out.add_data_vector(
-            dofs, values, std::vector<std::string>(dim, name),
-            std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-                dim, DataComponentInterpretation::component_is_part_of_vector));
-      }
-    };
+      const auto &[body, state, report] = observed;
+      if (observation.step_number == 0)
+        return Vector<double>(body.get_solid().n_dofs());
+      Vector<double> force = body.compute_force(
+          LoadAccount::muscle, body.get_motion(state, observation.time, observation.step));
+      body.get_solid().apply_inverse_mass(force);
+      return force;
+    }
 
     const DimensionalRegistration<Observer, Fields> registration("fields",
                                                                  "fields of fluid and bodies");
   } // namespace
+
+  template <int dim>
+  Vector<double> compute_displacement(const BodyObservation<dim> &observed)
+  {
+    Vector<double> displacement(observed.state.positions);
+    displacement -= observed.body.get_solid().get_initial_positions();
+    return displacement;
+  }
+
+  template <int dim>
+  Vector<double> compute_move(const BodyObservation<dim> &observed)
+  {
+    const SolidBody<dim> &solid = observed.body.get_solid();
+    Vector<double>        move(observed.state.positions);
+    for (const auto &node : solid.get_nodes())
+      for (unsigned int d = 0; d < dim; ++d)
+        move[node[d]] -= solid.get_reference_point(node[0])[d];
+    return move;
+  }
+
+  template <int dim>
+  void Fields<dim>::add_parameters(ParameterHandler &prm)
+  {
+    std::string text = "Scalars of the velocity's gradient that are written with the fluid's "
+                       "velocity, pressure and vorticity, separated by ','.";
+    for (const auto &[name, member] : Registry<FlowQuantity<dim>>::get_members())
+      text += " '" + name + "': " + member.documentation + ".";
+    prm.enter_subsection("Output");
+    prm.add_parameter("Additional fields", additional, text);
+    for (const auto &[name, quantity] : quantities)
+      declare_plugin(prm, get_plugin_section(name), *quantity);
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void Fields<dim>::check(const std::string & /*path*/) const
+  {
+    for (const std::string &name : additional)
+      AssertThrow(Registry<FlowQuantity<dim>>::get_members().count(name) > 0,
+                  ExcMessage("Output/Additional fields: there is nothing called <" + name +
+                             ">. The known ones are: " +
+                             Registry<FlowQuantity<dim>>::get_names(", ") + "."));
+    for (const auto &[name, quantity] : quantities)
+      if (is_wanted(name))
+        quantity->check("Output/" + get_plugin_section(name));
+  }
+
+  template <int dim>
+  bool Fields<dim>::is_wanted(const std::string &name) const
+  {
+    return std::find(additional.begin(), additional.end(), name) != additional.end();
+  }
+
+  template <int dim>
+  typename Fields<dim>::Derived Fields<dim>::make_derived_fields() const
+  {
+    Derived derived;
+    derived.push_back(std::make_unique<Vorticity<dim>>());
+    for (const auto &[name, quantity] : quantities)
+      if (is_wanted(name))
+        derived.push_back(std::make_unique<DerivedScalar<dim>>(name, *quantity));
+    return derived;
+  }
+
+  template <int dim>
+  void Fields<dim>::write_fields(const Observation<dim>     &observation,
+                                 const ObserverContext<dim> &context)
+  {
+    write_fluid(observation, context.output.n_subdivisions);
+    for (const auto &body : observation.bodies)
+      write_body(observation, body);
+  }
+
+  template <int dim>
+  void Fields<dim>::write_fluid(const Observation<dim> &observation,
+                                const unsigned int      n_subdivisions)
+  {
+    const FluidSpace<dim> &space         = observation.space;
+    const auto            &triangulation = space.get_triangulation();
+    const Derived          derived       = make_derived_fields();
+    DataOut<dim>           data_out;
+    data_out.attach_triangulation(triangulation);
+    add_vector(data_out, space.velocity_dofs, observation.fluid.velocity, "velocity");
+    data_out.add_data_vector(space.pressure_dofs, observation.fluid.pressure, "pressure");
+    for (const auto &field : derived)
+      data_out.add_data_vector(space.velocity_dofs, observation.fluid.velocity, *field);
+    Vector<float> level(triangulation.n_active_cells()), rank(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      level[cell->active_cell_index()] = cell->level();
+      rank[cell->active_cell_index()]  = cell->is_locally_owned() ? cell->subdomain_id() : -1;
+    }
+    data_out.add_data_vector(level, "level");
+    data_out.add_data_vector(rank, "rank");
+    if (observation.grid_moves)
+      // Without the last argument deal.II draws cells inside of the domain where they were.
+      data_out.build_patches(TranslatedMapping<dim>(restrict_to<dim>(observation.origin)),
+                             n_subdivisions, DataOut<dim>::curved_inner_cells);
+    else
+      data_out.build_patches(n_subdivisions);
+    this->add(data_out, "fluid", observation, space.get_communicator());
+  }
+
+  template <int dim>
+  void Fields<dim>::write_body(const Observation<dim>     &observation,
+                               const BodyObservation<dim> &observed)
+  {
+    const SolidBody<dim>  &solid = observed.body.get_solid();
+    const BodyState       &state = observed.state;
+    const DoFHandler<dim> &dofs  = solid.get_dof_handler();
+
+    const Vector<double> displacement = compute_displacement(observed);
+    const Vector<double> move         = compute_move(observed);
+    const Vector<double> muscle_force = compute_muscle_force_density(observation, observed);
+    const auto           cell_means   = compute_cell_means(solid, state.positions);
+
+    DataOut<dim> data_out;
+    data_out.attach_triangulation(solid.get_triangulation());
+    add_vector(data_out, dofs, displacement, "displacement");
+    add_vector(data_out, dofs, state.velocity, "velocity");
+    add_vector(data_out, dofs, muscle_force, "muscle_force");
+    for (const auto &[name, values] : cell_means)
+      data_out.add_data_vector(values, name);
+    const MappingQEulerian<dim> mapping(dofs.get_fe().degree, dofs, move);
+    data_out.build_patches(mapping, dofs.get_fe().degree, DataOut<dim>::curved_inner_cells);
+    this->add(data_out, observed.body.get_name(), observation, MPI_COMM_SELF);
+  }
+
+#define INSTANTIATE(dim)                                                                           \
+  template class Fields<dim>;                                                                      \
+  template Vector<double> compute_displacement(const BodyObservation<dim> &);                      \
+  template Vector<double> compute_move(const BodyObservation<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace caudal

@@ -90,7 +90,7 @@ view() {
   if command -v pvpython >/dev/null && command -v xvfb-run >/dev/null; then
     # A busy machine may start the display too late.
     for attempt in 1 2 3; do
-      xvfb-run -a pvpython $1/view.py $1.png >printed 2>&1 && break
+      xvfb-run -a -s -noreset pvpython $1/view.py $1.png >printed 2>&1 && break
     done
     [ -s $1.png ] || cat printed
     /usr/bin/python3 -c '

@@ -31,9 +31,10 @@ namespace caudal
   };
 
   /**
-   * Writes the fields of a run so that ParaView opens all of them as one
-   * series in time: solution.pvd (or solution.xdmf for HDF5) with one block for the
-   * fluid and one for each body, and the data themselves in fields/. The list
+   * Writes fields of a run so that ParaView opens all of them as one
+   * series in time: a list, solution.pvd (or solution.xdmf for HDF5) with one block for the
+   * fluid and one for each body, and the data themselves in fields/. What has times of its own,
+   * such as slices, has a list of its own. The list
    * is replaced at every write, after the data it points to are complete. The list is part of the
    * run's state: that of a resumed run has what its checkpoint knew.
    */
@@ -47,11 +48,11 @@ namespace caudal
     using Series = std::map<double, Entries>;
 
     /**
-     * Goes on with the @p series of a checkpoint; the @p format is that of OutputParameters.
-     * Collective.
+     * Goes on with the @p series of a checkpoint; the @p format is that of OutputParameters,
+     * @p list the name of the list without its ending. Collective.
      */
     FieldOutput(const OutputFolder &folder, const std::string &format, MPI_Comm communicator,
-                const Series &series = {});
+                const Series &series = {}, const std::string &list = "solution");
 
     /** On rank 0; empty on the others. */
     const Series &get_series() const
@@ -79,6 +80,7 @@ namespace caudal
     const OutputFolder &folder;
     const bool          is_vtu; // one compressed .vtu per field and time; else one .h5
     const MPI_Comm      communicator;
+    const std::string   list;
     Series              series;
   };
 } // namespace caudal

@@ -35,7 +35,7 @@ namespace caudal
    * work in the order of their places, which is also that of their columns; one that uses another
    * observer stands behind it. Those of the program have the places
    *   10 motion, 20 body forces, 30 deformation, 40 swimming, 50 control volume, 60 energies,
-   *   70 probes, 80 error norms, 90 tail beats, 100 fields, 110 guards;
+   *   70 probes, 80 error norms, 90 tail beats, 100 fields, 102 surfaces, 104 slices, 110 guards;
    * one that does not ask for a place comes last.
    *
    * Parameters are declared from the top level of the file, in a section of its own. All functions
