@@ -5,8 +5,11 @@
 
 cd "$CAUDAL_SOURCE_DIR"
 find prm -name '*.prm' | sort | while read -r file; do
-  "$CAUDAL" --check --fast "$file" 2>&1 | grep -q "No problems found\|The case can be run" ||
-    { echo "$file"; "$CAUDAL" --check --fast "$file"; }
+  printed=$("$CAUDAL" --check --fast "$file" 2>&1)
+  case $printed in
+    *"No problems found"* | *"The case can be run"*) ;;
+    *) echo "$file: $printed" ;;
+  esac
 done
 cd - >/dev/null
 
