@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Counts a program's calls of MPI: each rank writes a file <$CAUDAL_MPI_COUNTS>.<rank> as it ends,
-// a line for each kind of collective call among two ranks or more, "<kind> <calls>", and
-// "seconds_in_mpi <processor seconds>", waiting included. The program is not changed:
+// a line for each kind of collective call among two ranks or more, "<kind> <calls>", and the
+// processor seconds within MPI, waiting included, and those of all: "seconds_in_mpi", "seconds". The
+// program is not changed:
 // Where ranks share cores (Open MPI gives way then by sched_yield), a rank that waits sleeps for a moment
 // instead: the scheduler would let it wait for others' time slices at each message.
 //   mpicc -shared -fPIC mpi_counts.c -o counts.so
@@ -55,7 +56,7 @@ static void write_counts(void)
     return;
   for (int i = 0; i < LARGEST_NUMBER_OF_KINDS && kinds[i].name != NULL; ++i)
     fprintf(file, "%s %ld\n", kinds[i].name, kinds[i].calls);
-  fprintf(file, "seconds_in_mpi %.6f\n", seconds_in_mpi);
+  fprintf(file, "seconds_in_mpi %.6f\nseconds %.6f\n", seconds_in_mpi, get_time());
   fclose(file);
 }
 

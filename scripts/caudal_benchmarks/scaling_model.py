@@ -47,8 +47,8 @@ def find_doubtful(matrix, factors):
     scatter = numpy.linalg.norm(matrix @ factors - 1) ** 2 / freedom if freedom > 0 else 0.
     errors = numpy.sqrt(numpy.diag(numpy.linalg.pinv(matrix.T @ matrix)) * scatter)
     margins = factors - 2 * errors
-    # The first term is what is there on any number of ranks.
-    worst = min(range(1, len(factors)), key=lambda k: margins[k])
+    margins[0] = factors[0]  # what is there on any number of ranks is not left out for its scatter
+    worst = int(numpy.argmin(margins))
     return worst if margins[worst] < 0 else None
 
 

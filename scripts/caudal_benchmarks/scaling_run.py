@@ -39,7 +39,7 @@ class Record:
     messages: list = None
     bytes: list = None
     calls: dict = None  # collective calls of rank 0
-    in_mpi: list = None  # [s], processor time within MPI, waiting included
+    work: list = None  # [s], processor time outside of MPI, without waiting for others
 
 
 @dataclasses.dataclass
@@ -70,14 +70,8 @@ class Cost:
         return self._get_difference(self.long.cpu, self.short.cpu)
 
     @property
-    def in_mpi(self):
-        return self._get_difference(self.long.in_mpi, self.short.in_mpi)
-
-    @property
     def work(self):
-        """Processor seconds outside of MPI: without waiting for others."""
-        return None if self.in_mpi is None else [
-            max(cpu - mpi, 0.) for cpu, mpi in zip(self.cpu, self.in_mpi)]
+        return self._get_difference(self.long.work, self.short.work)
 
     @property
     def messages(self):
@@ -106,9 +100,9 @@ def parse_monitoring(text):
 
 
 def parse_counts(text):
-    """Collective calls by kind, and seconds within MPI, by a file of mpi_counts.c."""
+    """Collective calls by kind, and seconds outside of MPI, by a file of mpi_counts.c."""
     values = dict(line.split() for line in text.splitlines())
-    seconds = float(values.pop("seconds_in_mpi"))
+    seconds = float(values.pop("seconds")) - float(values.pop("seconds_in_mpi"))
     return {kind: int(calls) for kind, calls in values.items()}, seconds
 
 
@@ -185,7 +179,7 @@ def make_record(folder, ranks, text, usage):
     if sent is not None:
         record.messages, record.bytes = map(list, zip(*sent))
     if counts := read_ranks(folder / "calls", ranks, "", parse_counts):
-        record.calls, record.in_mpi = counts[0][0], [seconds for _, seconds in counts]
+        record.calls, record.work = counts[0][0], [seconds for _, seconds in counts]
     return record
 
 

@@ -25,7 +25,7 @@ folder.mkdir()
 print("messages and bytes to others:", scaling_run.parse_monitoring(
     "# POINT TO POINT\nE\t1\t0\t500 bytes\t7 msgs sent\t1,2\nE\t1\t1\t144 bytes\t6 msgs sent\t0\n"
     "I\t1\t0\t30 bytes\t2 msgs sent\n# COLLECTIVES\nC\t1\t0\t900 bytes\t9 msgs sent\n"))
-print("calls:", scaling_run.parse_counts("Bcast 3\nAllreduce 20\nseconds_in_mpi 0.25\n"))
+print("calls:", scaling_run.parse_counts("Bcast 3\nAllreduce 20\nseconds_in_mpi 0.25\nseconds 2\n"))
 print("output:", scaling_run.parse_output(
     "t = 1 of 2 s  step 5  dt 1 s, 64 cells, 2 iterations, max |u| 1 m/s\n"
     "10 steps in 0:02, 5 steps/s, 5 factorisations\n  factorisation   0.3 s   18.5 %\n"))
