@@ -155,12 +155,13 @@ def report_series(report, series, costs, cores):
 
 LEGEND = """
 How to read the tables. Ranks with * are more than this machine's {cores} cores: they give no times, but memory, counts and
-results. Wall time is that of the program's clock and holds whatever else the machine did. User CPU time does not, but it
-holds waiting, as a rank that waits within MPI keeps its core busy. CPU time outside of MPI is work alone; it is told for all
-numbers of ranks, but where ranks share cores they share caches, too. "Others" is the largest of the other ranks. Memory is
-the largest resident size in the run. Messages and bytes are those that a rank sends in a step, those within collective calls
-included. The difference is that of the bodies' forces (relative to the largest component) and the kinetic energy after the
-longer run."""
+results. Wall time is that of the program's clock and holds whatever else the machine did; user CPU time does not. A rank that
+waits sleeps for 20 us at a time, where mpicc is there, so that CPU time is hardly waiting. CPU time outside of MPI, user and
+system, is work alone; it is told for all numbers of ranks, but is no time of a step: ranks that share cores share caches, and
+what one does while the others wait is in its row only. "Others" is the largest of the other ranks. Memory is the largest
+resident size in the run. Messages and bytes are those that a rank sends in a step, those within collective calls included.
+The difference is that of the bodies' forces (relative to the largest component) and the kinetic energy after the longer
+run."""
 
 
 def main(arguments):

@@ -75,6 +75,8 @@ class KnownCost:
 model = scaling_model.Model(SERIES["plane"], {n: KnownCost(n) for n in (1, 2, 4, 8)}, 1e30)
 print(f"model: {model.cut:.1f} unknowns in a cut; on 64 ranks", *(f"{x:.5f}" for x in model.get_seconds(64)),
       f"s, {model.get_memory(64):.1f} MiB")
+print("what falls does not grow:", *(f"{x:.4f}" for x in scaling_model.fit(
+    [2, 4, 8], [3, 2, 1.5], (scaling_model.constant, scaling_model.proportional))))
 END
 
 mkdir bin
