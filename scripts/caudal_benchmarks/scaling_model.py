@@ -181,7 +181,7 @@ None of the figures in this section was measured. A step is the sum of
 Left out: waiting for others beyond the rank that has most to do, so that rank 0's work between two messages counts once, but
 not what it does while all wait in turns; the memory bandwidth that ranks of a node share; regridding; files. Iterations are
 those of the largest measured number of ranks, and strips and slabs those of the long channel, whose surfaces don't grow.
-Where times exceed those of fewer ranks, more ranks are a loss."""
+Where times exceed those of fewer ranks, more ranks are a loss; the formulas do not regard that strips need columns of cells."""
 
 
 def can_model(costs):
