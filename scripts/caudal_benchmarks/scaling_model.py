@@ -185,12 +185,12 @@ Where times exceed those of fewer ranks, more ranks are a loss; the formulas do 
 
 
 def can_model(costs):
-    return len([n for n in costs if n > 1]) > 1 and all(
+    return len([n for n in costs if n > 1]) > 2 and all(
         cost.work and cost.messages for cost in costs.values())
 
 
 def report_model(report, measured):
-    """Tables of the model for all series that were measured on two numbers of ranks beyond one."""
+    """Tables of the model for all series that were measured on three numbers of ranks beyond one."""
     measured = {name: (series, costs) for name, (series, costs) in measured.items()
                 if can_model(costs) and 1 in costs}
     if not measured:
