@@ -116,14 +116,19 @@ class Model:
         self.bytes = self._fit([max(cost.bytes) for cost in used], self.terms.bytes)
         self.memory = self._fit([max(cost.long.memory) for cost in used], self.terms.work)
         if series.dim == 2:
-            self._use_interface(used)
+            self._use_interface(used, series.dim * (2 * series.cells[1] + 1))
 
     def _fit(self, values, terms):
         return fit(self.ranks, values, terms)
 
-    def _use_interface(self, used):
-        """Unknowns in a cut, by the bytes; their share of the work and memory is on its own."""
-        self.cut = math.sqrt(self.bytes[1])
+    def _use_interface(self, used, least):
+        """Unknowns in a cut, by the bytes, but no fewer than in a cut through the coarsest cells;
+        their share of bytes, work and memory is on its own."""
+        self.cut = max(math.sqrt(self.bytes[1]), least)
+        rest = [max(cost.bytes) - self.cut ** 2 * ring_of_interface(n)
+                for n, cost in zip(self.ranks, used)]
+        self.bytes = (*self._fit([max(value, 1.) for value in rest], self.terms.bytes[:1]),
+                      self.cut ** 2)
         self.work = self._fit(
             [max(max(cost.work) - self.get_interface_time(n), 1e-3 * max(cost.work))
              for n, cost in zip(self.ranks, used)], self.terms.work)
@@ -173,7 +178,8 @@ None of the figures in this section was measured. A step is the sum of
   constant; with bodies in proportion it may grow with them. Fitted to the measured ranks from 2 on; a growth within the scatter
   is taken for none.
 - **dense matrix** (2D): 2/3 n^3 operations of each rank for the n unknowns between strips, at the {rate:.0f} Gflop/s that a dense
-  LU factorisation reached here. n is the number of cuts times the unknowns of a cut, which follow from the measured bytes.
+  LU factorisation reached here. n is the number of cuts times the unknowns of a cut, which follow from the measured bytes; they are
+  no fewer than in a cut through the coarsest cells.
 - **latencies**: {latency:.0f} us for each message that a rank sends, an assumption; their number grows with log2 of the ranks as fitted.
 - **bytes**: those that a rank sends, at an assumed {bandwidth:.0f} GB/s for each rank (a node's link of 200 Gbit/s, of which 24 ranks
   share). In 2D they are vectors of all unknowns and the dense matrix, summed in rings.

@@ -63,13 +63,13 @@ print(*SERIES["space_water"].get_overrides(4, 2)[-4:])
 
 
 class KnownCost:
-    """The cost of a step that has a serial and a shared part, and a dense matrix of 100 a cut."""
+    """The cost of a step that has a serial and a shared part, and a dense matrix of 200 a cut."""
 
     def __init__(self, ranks):
         self.work, self.messages = [0.1 + 2 / ranks], [50 + 10 * scaling_model.logarithm(ranks)]
-        self.bytes = [1e6 * scaling_model.ring(ranks) + 1e4 * scaling_model.ring_of_interface(ranks)]
+        self.bytes = [1e6 * scaling_model.ring(ranks) + 4e4 * scaling_model.ring_of_interface(ranks)]
         self.long = self
-        self.memory = [200 + 80 / ranks + 24 * (100 * (ranks - 1)) ** 2 / 2**20]
+        self.memory = [200 + 80 / ranks + 24 * (200 * (ranks - 1)) ** 2 / 2**20]
 
 
 model = scaling_model.Model(SERIES["plane"], {n: KnownCost(n) for n in (1, 2, 4, 8)}, 1e30)
