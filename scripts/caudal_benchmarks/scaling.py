@@ -22,8 +22,8 @@ def parse(arguments):
         "in proportion, in 2D and 3D: seconds by section, memory, messages, bytes, collective "
         "calls, iterations, and the difference of results from those of one rank; then a model "
         "for 16 to 1,024 ranks. Writes scaling.md to the folder. More ranks than cores give no "
-        "times. About 15 minutes on two cores of an AMD EPYC. Runs that were measured are not "
-        "made again; remove the folder to measure anew.")
+        "times. Runs that were measured are not made again, so that a series can be measured in "
+        "parts; remove the folder to measure anew.")
     parser.add_argument("--ranks", default="1,2,4,8", help="numbers of ranks [1,2,4,8]")
     parser.add_argument("--series", default=",".join(SERIES),
                         help=f"which of {', '.join(SERIES)} [all]")
