@@ -27,7 +27,7 @@ install(FILES
   DESTINATION ${_package})
 
 set(_share ${CMAKE_INSTALL_DATADIR}/caudal)
-foreach(_script swim sweep plot report paraview salmon benchmark)
+foreach(_script swim sweep plot report paraview salmon benchmark slurm)
   install(PROGRAMS scripts/${_script} DESTINATION ${_share}/scripts)
 endforeach()
 install(FILES scripts/environment scripts/caudal_setup.py DESTINATION ${_share}/scripts)
