@@ -168,7 +168,7 @@ namespace caudal
         const double       length   = body.get_length();
         const unsigned int n_across = divisions.count_elements(
             2. * body.half_width(std::max(0.5 * length, length - divisions.spacing)));
-        const double tail = length - find_tail(body, (n_across + 0.7) * divisions.spacing);
+        const double tail = length - find_tail(body, (n_across + 0.9) * divisions.spacing);
         const int    n_tail = static_cast<int>(result.core[0] * tail / length - 0.5);
         if (n_across + 2 <= result.core[1] && n_across + 2 <= least && n_tail > 0)
         {
