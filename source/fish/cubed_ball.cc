@@ -47,7 +47,7 @@ namespace caudal
       for (unsigned int d = 1; d < dim; ++d)
       {
         const double edge = dim == 2 ? 1. : d == 1 ? std::cos(corner) : std::sin(corner);
-        place[d] = (1. - roundness) * edge * q[d] + roundness * radius * direction[d];
+        place[d]          = (1. - roundness) * edge * q[d] + roundness * radius * direction[d];
       }
       return place;
     }
@@ -78,16 +78,17 @@ namespace caudal
       {
         Point<dim> section = place_in_section(p, dim == 2 ? 0.5 : 0.8, core_corner);
         for (unsigned int d = 1; d < dim; ++d)
-          section[d] *= 1. - 2. * divisions.n_layers / (divisions.core[d] + 2. * divisions.n_layers);
+          section[d] *=
+              1. - 2. * divisions.n_layers / (divisions.core[d] + 2. * divisions.n_layers);
         return place_in_ball(get_core_x(p[0]), section);
       }
 
       /** For a point of the cube's surface that of the sphere, or of the front of the tail. */
       Point<dim> place_on_sphere(const Point<dim> &p) const
       {
-        const double lean = p[0] < 0. ? (1. - nose_cut) * column : 0.5 * column;
-        const double x    = get_core_x(p[0]) + lean * p[0];
-        Point<dim>   place = place_in_ball(x, place_in_section(p, 1., core_corner));
+        const double lean    = p[0] < 0. ? (1. - nose_cut) * column : 0.5 * column;
+        const double x       = get_core_x(p[0]) + lean * p[0];
+        Point<dim>   place   = place_in_ball(x, place_in_section(p, 1., core_corner));
         double       largest = 0.;
         for (unsigned int d = 1; d < dim; ++d)
           largest = std::max(largest, std::abs(p[d]));

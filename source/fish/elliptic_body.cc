@@ -162,15 +162,15 @@ namespace caudal
         result.core[d] = std::max(3u, result.core[d]);
       const unsigned int least = *std::min_element(result.core.begin() + 1, result.core.end());
       result.n_layers          = std::max(1u, least / 5);
-      if (dim == 3 && divisions.is_automatic() && result.core[0] > 6)
+      if (dim == 3 && divisions.is_automatic() && result.core[0] > 6 && result.core[1] == least)
       {
         // A thin tail has as many elements across as suit it, and so has the core.
         const double       length   = body.get_length();
         const unsigned int n_across = divisions.count_elements(
             2. * body.half_width(std::max(0.5 * length, length - divisions.spacing)));
-        const double tail = length - find_tail(body, (n_across + 0.9) * divisions.spacing);
+        const double tail   = length - find_tail(body, (n_across + 0.9) * divisions.spacing);
         const int    n_tail = static_cast<int>(result.core[0] * tail / length - 0.5);
-        if (n_across + 2 <= result.core[1] && n_across + 2 <= least && n_tail > 0)
+        if (n_across + 2 <= least && n_tail > 0)
         {
           result.n_tail   = std::min<unsigned int>(n_tail, result.core[0] - 5);
           result.n_layers = (least - n_across) / 2;
@@ -218,7 +218,7 @@ namespace caudal
       GridTools::transform(
           [&](const Point<dim> &p) {
             Point<dim>   result = p;
-            const double t      = (p[0] - front) / side, middle = 1. - 2. * t;
+            const double t = (p[0] - front) / side, middle = 1. - 2. * t;
             if (dim == 2)
               result[0] = t * length;
             else
@@ -226,8 +226,8 @@ namespace caudal
             return result;
           },
           tria);
-      const double widen = std::pow(compute_volume<dim>(body) / GridTools::volume(tria),
-                                    1. / (dim - 1.));
+      const double widen =
+          std::pow(compute_volume<dim>(body) / GridTools::volume(tria), 1. / (dim - 1.));
       GridTools::transform(
           [&](const Point<dim> &p) {
             Point<dim> result(widen * p);

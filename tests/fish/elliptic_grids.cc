@@ -43,7 +43,8 @@ void report(const std::string &name, const Entries &entries, const double length
   make_body_grid(tria, parameters, spacing * length, {"x"}, "Body x");
 
   double volume = 0.;
-  for (const BodySlice &slice : parameters.shape.make_straight_body("Body x/Shape")->compute_slices())
+  for (const BodySlice &slice :
+       parameters.shape.make_straight_body("Body x/Shape")->compute_slices())
     volume += slice.moments[0][0];
   const BoundingBox<3> box = GridTools::compute_bounding_box(tria);
   // How much of the volume lies in the last fifth, behind the peduncle.
@@ -52,8 +53,9 @@ void report(const std::string &name, const Entries &entries, const double length
     if (cell->center()[0] > 0.8 * length)
       tail += cell->measure();
   std::cout << name << ", elements of L/" << std::lround(1. / spacing) << ": "
-            << tria.n_active_cells() << " cells, nose " << round_to(box.lower_bound(0) / length, 1e-6)
-            << " L, length " << round_to(box.side_length(0) / length, 1e-6) << " L, volume "
+            << tria.n_active_cells() << " cells, nose "
+            << round_to(box.lower_bound(0) / length, 1e-6) << " L, length "
+            << round_to(box.side_length(0) / length, 1e-6) << " L, volume "
             << round_to(GridTools::volume(tria) / volume, 1e-6) << ", height "
             << round_to(box.side_length(2) / length, 1e-4) << " L, tail "
             << round_to(tail / volume, 1e-3) << ", smallest scaled Jacobian "
