@@ -68,8 +68,8 @@ namespace caudal
     public:
       explicit CubedBall(const CubedBallDivisions &divisions)
           : divisions(divisions)
+          , nose(divisions.n_tail == 0 ? End{0.5, 0.5} : End{0.75, 0.25})
           , column(2. / (divisions.core[0] + divisions.n_tail + 2.))
-          , nose_cut(dim == 2 ? 0.5 : 0.75)
           , core_corner(0.5 * (diagonal + get_even_angle(divisions.core)))
           , tail_corner(get_even_angle(divisions.core))
       {}
@@ -86,7 +86,7 @@ namespace caudal
       /** For a point of the cube's surface that of the sphere, or of the front of the tail. */
       Point<dim> place_on_sphere(const Point<dim> &p) const
       {
-        const double lean    = p[0] < 0. ? (1. - nose_cut) * column : 0.5 * column;
+        const double lean    = column * (p[0] < 0. ? nose.cap : 0.5);
         const double x       = get_core_x(p[0]) + lean * p[0];
         Point<dim>   place   = place_in_ball(x, place_in_section(p, 1., core_corner));
         double       largest = 0.;
@@ -116,9 +116,16 @@ namespace caudal
         return -1. + column * (1. + 0.5 * (p + 1.) * divisions.core[0]);
       }
 
+      /** Lengths on the axis at an end, in columns: together one. */
+      struct End
+      {
+        double cut; // beyond the surface's last edges
+        double cap; // of the layers between these and the core
+      };
+
       const CubedBallDivisions &divisions;
-      const double              column;   // length of a column of elements
-      const double              nose_cut; // what lies before the surface's first edges, of a column
+      const End                 nose;   // the tail's are equal
+      const double              column; // length of a column of elements
       const double              core_corner, tail_corner;
     };
 
