@@ -36,6 +36,13 @@ def find_included(path, name):
     return beside if beside.exists() else pathlib.Path(name)
 
 
+def find_in_plane(entry):
+    """The entry that describes this one: the sides that 3D adds have those of 2D's."""
+    for side, other in (("back", "bottom"), ("front", "top")):
+        entry = re.sub(rf"(Boundary conditions/)({side})\b", rf"\1{other}", entry)
+    return entry
+
+
 def add_cases(parameters, root):
     """Adds to each parameter the cases that set it. Returns what the cases set and no model has."""
     unknown = []
@@ -43,7 +50,7 @@ def add_cases(parameters, root):
         case, values = str(path.relative_to(root)), read_values(path)
         model = values.get("Model", "immersed")
         for entry, value in values.items():
-            found = find_parameters(parameters, entry, model)
+            found = find_parameters(parameters, find_in_plane(entry), model)
             if not found:
                 unknown.append(f"{case}: {entry}")
             for parameter in found:

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/fish/cubed_ball.h>
 #include <caudal/fish/elliptic_body.h>
 #include <caudal/fish/graded_grid.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace caudal
 {
@@ -53,137 +52,6 @@ namespace caudal
     return slices;
   }
 
-  namespace
-  {
-    /**
-     * Where the point @p q of the square [-1,1]^(dim-1) of a section is in the unit disc (2D: the
-     * interval); @p roundness 1 takes the square's edge to the circle, 0 keeps it straight.
-     */
-    template <int dim>
-    Point<dim> place_in_section(const Point<dim> &q, const double roundness)
-    {
-      double         largest = 0., squares = 0.;
-      Tensor<1, dim> direction;
-      for (unsigned int d = 1; d < dim; ++d)
-        largest = std::max(largest, std::abs(q[d]));
-      if (largest == 0.)
-        return Point<dim>();
-      for (unsigned int d = 1; d < dim; ++d)
-      {
-        // Grid lines at equal angles
-        direction[d] = std::tan(0.25 * numbers::PI * q[d] / largest);
-        squares += direction[d] * direction[d];
-      }
-      Point<dim> place;
-      for (unsigned int d = 1; d < dim; ++d)
-        place[d] = (1. - roundness) * q[d] / std::sqrt(dim - 1.) +
-                   roundness * largest * direction[d] / std::sqrt(squares);
-      return place;
-    }
-
-    /** The point of the unit ball at @p x along the axis and @p section times the radius there. */
-    template <int dim>
-    Point<dim> place_in_ball(const double x, const Point<dim> &section)
-    {
-      Point<dim> place(std::sqrt(1. - x * x) * section);
-      place[0] = x;
-      return place;
-    }
-
-    /** Where the cubed ball has the points of the cube that its core is made from. */
-    template <int dim>
-    struct CubedBall
-    {
-      CubedBall(const std::vector<unsigned int> &core, const unsigned int n_layers)
-          : core_share(1. - 2. * n_layers / (core[1] + 2. * n_layers))
-          , end(1. / (core[0] + 2.))
-      {}
-
-      Point<dim> place_core(const Point<dim> &p) const
-      {
-        return place_in_ball((1. - 2. * end) * p[0],
-                             Point<dim>(core_share * place_in_section(p, 0.5)));
-      }
-
-      /** For a point of the cube's surface that of the sphere. */
-      Point<dim> place_on_sphere(const Point<dim> &p) const
-      {
-        double largest = 0.;
-        for (unsigned int d = 1; d < dim; ++d)
-          largest = std::max(largest, std::abs(p[d]));
-        const Point<dim> section = place_in_section(p, 1.);
-        const double     x       = (1. - end) * p[0];
-        if (largest > 1. - 1e-9)
-          return place_in_ball(x, section);
-        Point<dim> place(std::sqrt(1. - x * x) * section); // on a round end
-        place[0] = std::copysign(std::sqrt(1. - place.square()), p[0]);
-        return place;
-      }
-
-      const double core_share; // of a section's width
-      const double end;        // the length of a round end on the surface, half that of the core's
-    };
-
-    /**
-     * The unit disc or ball as an image of a cube: a core of @p core elements in each direction,
-     * from whose faces @p n_layers layers of elements reach to the circle or sphere. Its columns
-     * along the first axis are normal to it, but for the layers at the two ends, so that it can be
-     * stretched to a slender body.
-     */
-    template <int dim>
-    void make_cubed_ball(Triangulation<dim> &tria, const std::vector<unsigned int> &core,
-                         const unsigned int n_layers)
-    {
-      Triangulation<dim> cube;
-      Point<dim>         corner;
-      for (unsigned int d = 0; d < dim; ++d)
-        corner[d] = 1.;
-      GridGenerator::subdivided_hyper_rectangle(cube, core, Point<dim>(-corner), corner);
-
-      const CubedBall<dim>       ball(core, n_layers);
-      std::vector<Point<dim>>    vertices;
-      std::vector<CellData<dim>> cells;
-      for (const Point<dim> &p : cube.get_vertices())
-        vertices.push_back(ball.place_core(p));
-      // The vertices of the layer k beyond the surface's vertex v.
-      std::map<unsigned int, unsigned int> first;
-      const auto get_vertex = [&](const unsigned int v, const unsigned int k) {
-        if (k == 0)
-          return v;
-        const auto [entry, is_new] = first.insert({v, vertices.size()});
-        if (is_new)
-        {
-          const Point<dim>     inner = vertices[v];
-          const Tensor<1, dim> way   = ball.place_on_sphere(cube.get_vertices()[v]) - inner;
-          for (unsigned int layer = 1; layer <= n_layers; ++layer)
-            vertices.push_back(inner + static_cast<double>(layer) / n_layers * way);
-        }
-        return entry->second + k - 1;
-      };
-      for (const auto &cell : cube.active_cell_iterators())
-      {
-        cells.emplace_back();
-        for (const unsigned int v : cell->vertex_indices())
-          cells.back().vertices[v] = cell->vertex_index(v);
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f))
-            for (unsigned int k = 0; k < n_layers; ++k)
-            {
-              const unsigned int n = GeometryInfo<dim>::vertices_per_face;
-              cells.emplace_back();
-              for (unsigned int v = 0; v < n; ++v)
-              {
-                cells.back().vertices[v]     = get_vertex(cell->face(f)->vertex_index(v), k);
-                cells.back().vertices[n + v] = get_vertex(cell->face(f)->vertex_index(v), k + 1);
-              }
-            }
-      }
-      GridTools::invert_cells_with_negative_measure(vertices, cells);
-      GridTools::consistently_order_cells(cells);
-      tria.create_triangulation(vertices, cells, SubCellData());
-    }
-  } // namespace
-
   template <int dim>
   void EllipticShape<dim>::check_divisions(const ShapeLengths &, const GridDivisions &divisions,
                                            const std::string &path) const
@@ -196,6 +64,23 @@ namespace caudal
 
   namespace
   {
+    /**
+     * Length, and half-axes of the section [m], where the point @p x of the ball's axis is placed.
+     */
+    template <int dim>
+    Tensor<1, dim> get_section(const StraightBody &body, const double x)
+    {
+      Tensor<1, dim> section;
+      section[0] = body.get_length();
+      for (unsigned int d = 1; d < dim; ++d)
+      {
+        Point<3> reference(x, 0., 0.);
+        reference[d] = std::sqrt(1. - x * x);
+        section[d]   = body.place(reference)[d];
+      }
+      return section;
+    }
+
     /** Length, largest width and, in 3D, largest height. */
     template <int dim>
     Tensor<1, dim> get_sides(const StraightBody &body)
@@ -204,13 +89,11 @@ namespace caudal
       sides[0]             = body.get_length();
       const unsigned int n = 100;
       for (unsigned int i = 1; i < n; ++i)
+      {
+        const Tensor<1, dim> section = get_section<dim>(body, 2. * i / n - 1.);
         for (unsigned int d = 1; d < dim; ++d)
-        {
-          const double x = 2. * i / n - 1.;
-          Point<3>     reference(x, 0., 0.);
-          reference[d] = std::sqrt(1. - x * x);
-          sides[d]     = std::max(sides[d], 2. * body.place(reference)[d]);
-        }
+          sides[d] = std::max(sides[d], 2. * section[d]);
+      }
       return sides;
     }
 
@@ -259,35 +142,98 @@ namespace caudal
       return true;
     }
 
-    /** The area of the outline of the half-widths [m^2]. */
-    double compute_area(const StraightBody &body)
+    /** From where on @p body is not wider than @p width [m], or its end. */
+    double find_tail(const StraightBody &body, const double width)
+    {
+      const unsigned int n = 400;
+      unsigned int       i = n;
+      while (i > 0 && 2. * body.half_width(body.get_length() * (i - 1) / n) <= width)
+        --i;
+      return body.get_length() * i / n;
+    }
+
+    /** The elements of the ball that becomes the body. */
+    template <int dim>
+    CubedBallDivisions divide_ball(const StraightBody &body, const GridDivisions &divisions)
+    {
+      CubedBallDivisions result;
+      result.core = divisions.get_elements(get_sides<dim>(body));
+      for (unsigned int d = 1; d < dim; ++d)
+        result.core[d] = std::max(3u, result.core[d]);
+      const unsigned int least = *std::min_element(result.core.begin() + 1, result.core.end());
+      result.n_layers          = std::max(1u, least / 5);
+      if (dim == 3 && divisions.is_automatic() && result.core[0] > 6 && result.core[1] == least)
+      {
+        // A thin tail has as many elements across as suit it, and so has the core.
+        const double       length   = body.get_length();
+        const unsigned int n_across = divisions.count_elements(
+            2. * body.half_width(std::max(0.5 * length, length - divisions.spacing)));
+        const double tail   = length - find_tail(body, (n_across + 0.9) * divisions.spacing);
+        const int    n_tail = static_cast<int>(result.core[0] * tail / length - 0.5);
+        if (n_across + 2 <= least && n_tail > 0)
+        {
+          result.n_tail   = std::min<unsigned int>(n_tail, result.core[0] - 5);
+          result.n_layers = (least - n_across) / 2;
+          result.core[1]  = n_across + 2 * result.n_layers;
+          result.core[0] -= result.n_tail + 2;
+        }
+      }
+      for (unsigned int d = 1; d < dim; ++d)
+        result.core[d] -= 2 * result.n_layers;
+      return result;
+    }
+
+    /** The volume of the body, int pi a b ds [m^3]; in 2D the area of its outline, int 2 a ds. */
+    template <int dim>
+    double compute_volume(const StraightBody &body)
     {
       // Gauss points over the angle from nose to tail, where the round ends are smooth.
       const QIterated<1> quadrature(QGauss<1>(4), 50);
-      const double       length = body.get_length();
-      double             area   = 0.;
+      double             volume = 0.;
       for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        const double angle = numbers::PI * quadrature.point(q)[0],
-                     s     = 0.5 * length * (1. - std::cos(angle));
-        area += 2. * body.half_width(s) * 0.5 * length * std::sin(angle) * numbers::PI *
-                quadrature.weight(q);
+        const double angle = numbers::PI * quadrature.point(q)[0];
+        const auto   sides = get_section<dim>(body, -std::cos(angle));
+        double       area  = dim == 2 ? 2. : numbers::PI;
+        for (unsigned int d = 1; d < dim; ++d)
+          area *= sides[d];
+        volume += area * 0.5 * sides[0] * std::sin(angle) * numbers::PI * quadrature.weight(q);
       }
-      return area;
+      return volume;
     }
 
     /**
-     * Gives a plane grid the length and the area of the outline. Its polygon has less area, and
-     * with an odd number of elements across it ends in edges instead of points, which make it
-     * shorter.
+     * Gives a grid the nose at 0, the length and the volume of the body. Inscribed in it, it has
+     * less volume, and with an odd number of elements across it ends in edges or faces instead of
+     * points, which make it shorter. A plane grid is stretched evenly; in space, where the faces
+     * take more off, the middle stays where it is, and what is at the share t of the length from
+     * an end moves to it by (1 - 2 t)^2 of what is missing there.
      */
-    void fit_to_outline(Triangulation<2> &tria, const StraightBody &body)
+    template <int dim>
+    void fit_to_body(Triangulation<dim> &tria, const StraightBody &body)
     {
-      const BoundingBox<2> box = GridTools::compute_bounding_box(tria);
-      const double front = box.lower_bound(0), stretch = body.get_length() / box.side_length(0),
-                   widen = compute_area(body) / (stretch * GridTools::volume(tria));
+      const BoundingBox<dim> box    = GridTools::compute_bounding_box(tria);
+      const double           length = body.get_length(), front = box.lower_bound(0),
+                   back = length - box.upper_bound(0), side = box.side_length(0);
       GridTools::transform(
-          [&](const Point<2> &p) { return Point<2>((p[0] - front) * stretch, widen * p[1]); },
+          [&](const Point<dim> &p) {
+            Point<dim>   result = p;
+            const double t = (p[0] - front) / side, middle = 1. - 2. * t;
+            if (dim == 2)
+              result[0] = t * length;
+            else
+              result[0] += middle * middle * (t < 0.5 ? -front : back);
+            return result;
+          },
+          tria);
+      const double widen =
+          std::pow(compute_volume<dim>(body) / GridTools::volume(tria), 1. / (dim - 1.));
+      GridTools::transform(
+          [&](const Point<dim> &p) {
+            Point<dim> result(widen * p);
+            result[0] = p[0];
+            return result;
+          },
           tria);
     }
   } // namespace
@@ -300,13 +246,7 @@ namespace caudal
     if constexpr (dim == 2)
       if (divisions.is_automatic() && make_slender_grid(*body, divisions, path, tria))
         return;
-    std::vector<unsigned int> core = divisions.get_elements(get_sides<dim>(*body));
-    for (unsigned int d = 1; d < dim; ++d)
-      core[d] = std::max(3u, core[d]);
-    const unsigned int n_layers = std::max(1u, *std::min_element(core.begin() + 1, core.end()) / 5);
-    for (unsigned int d = 1; d < dim; ++d)
-      core[d] -= 2 * n_layers;
-    make_cubed_ball(tria, core, n_layers);
+    make_cubed_ball(tria, divide_ball<dim>(*body, divisions));
     GridTools::transform(
         [&body](const Point<dim> &reference) {
           Point<3> point;
@@ -319,8 +259,7 @@ namespace caudal
           return result;
         },
         tria);
-    if constexpr (dim == 2)
-      fit_to_outline(tria, *body);
+    fit_to_body(tria, *body);
     assign_regions(tria, divisions.region_boundaries);
   }
 

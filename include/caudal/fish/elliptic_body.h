@@ -63,8 +63,11 @@ namespace caudal
      * Elements along the body are those between its round ends, elements across are those of a
      * section: a core and m layers round it, a fifth of them on each side. In 3D the core has
      * n_x x n_y x n_z elements, each flank n_x x n_y x m or n_x x n_z x m, each end
-     * n_y x n_z x m. Automatic elements of a plane body with a thin tail are graded by its
-     * thickness (make_graded_grid()).
+     * n_y x n_z x m. Nose, length and volume (2D: area) are those of the body.
+     *
+     * Automatic elements suit a thin tail, too. In 2D they are graded by the body's thickness
+     * (make_graded_grid()). In 3D the core is as many elements across as the tail needs, and goes
+     * on without layers where that many fill the body (make_cubed_ball()).
      */
     void make_grid(const ShapeLengths &lengths, const GridDivisions &divisions,
                    const std::string &path, Triangulation<dim> &tria) const override;
