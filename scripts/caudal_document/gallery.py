@@ -57,6 +57,10 @@ PICTURES = (
     draw("vortices", "Vortices in three dimensions", "prm/cookbook/ball.prm", "ball", "vortices",
          "A ball in a stream at a Reynolds number of 100, on a coarse grid: a surface of equal Q, coloured "
          "by the vorticity about z ([recipe](cookbook/three_dimensions.md)).", "--level 4"),
+    draw("salmon_viscous", "A salmon in a viscous fluid", "prm/salmon/salmon_viscous.prm",
+         "salmon_viscous", "vortices",
+         "The same fish in three dimensions, at ten times water's viscosity, after its first beat: a surface "
+         "of equal Q, coloured by the vorticity about z."),
     Picture("salmon", "A salmon in an ideal fluid", "scripts/salmon", "salmon_study", (),
             "swimming_shapes.png",
             "Six joints bend three shapes alike, boundary elements give the pressure on them and their "

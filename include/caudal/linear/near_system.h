@@ -20,14 +20,18 @@ namespace caudal
 
   /**
    * A solution, approximate where it is large, of the saddle-point system of few multipliers q, the
-   * force densities f of bodies and what bodies have besides, y: velocities and those of frames, s
-   * (-S q + C^T f)         = r_q, s (C q - H f) + E_fy y   = r_f,   E_fU = s M, M f + E_Uy y = r_U,
-   * E_UU = R, E_gy y                   = r_g    for what is neither force nor velocity. All is
-   * symmetric: no unsymmetric factors of (q, f, y) together. With a bound e of R/M, s/e times the
-   * third line is taken from the second, which leaves J = [S, -C^T; -C, H + M/e],   K = E_fy - s/e
-   * E_Uy on (q, f), by Cholesky; where R = e M, as with a gait, K has nothing in the columns of U.
-   * Then y has the Schur complement E_yy + E_yf T K/s, T = (J^-1)_ff; a few conjugate residuals
-   * with T ~ t M^-1, t the mean of T over translations, solve for y.
+   * force densities f of bodies and what bodies have besides, y: velocities U and those of frames,
+   *   s (-S q + C^T f)       = r_q,
+   *   s (C q - H f) + E_fy y = r_f,  where  E_fU = s M,
+   *   M f + E_Uy y           = r_U,  where  E_UU = R,
+   *   E_gy y                 = r_g   for what is neither force nor velocity.
+   * It is symmetric up to scaling, and no unsymmetric factors of all are needed: with a bound e of
+   * R/M, s/e times the third line is taken from the second, which leaves
+   *   J = [S, -C^T; -C, H + M/e],  K = E_fy - s/e E_Uy,
+   * J on (q, f) by Cholesky; where R = e M, as with a gait, K has nothing in the columns of U. Then
+   * y has the Schur complement E_yy + E_yf T K/s, T = (J^-1)_ff. A few conjugate residuals solve
+   * it, preconditioned with T ~ t M^-1, t the mean of T over translations. The bound e may differ
+   * by node.
    */
   class NearSystem
   {
