@@ -336,6 +336,11 @@ namespace caudal
 
   SchurComplement::~SchurComplement() = default;
 
+  bool SchurComplement::is_available()
+  {
+    return true;
+  }
+
   void SchurComplement::reinit(const FieldVector &u, const FieldVector &q,
                                const unsigned int block_size, const Triplets &B)
   {

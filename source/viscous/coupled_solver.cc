@@ -194,7 +194,7 @@ namespace caudal
   void CoupledSolver<dim>::reinit()
   {
     iterative = parameters.method == "iterative" ||
-                (parameters.method == "automatic" && dim == 3 &&
+                (parameters.method == "automatic" && dim == 3 && SchurComplement::is_available() &&
                  space.get_triangulation().n_global_active_cells() > most_cells_of_direct_method);
     if (iterative)
       preconditioner->reinit();
@@ -208,10 +208,13 @@ namespace caudal
   std::string CoupledSolver<dim>::describe_method() const
   {
     std::string reason;
-    if (parameters.method == "automatic")
-      reason = dim == 2 ? ", in the plane"
-                        : ", on up to " + std::to_string(most_cells_of_direct_method) +
-                              " cells direct, on more iterative";
+    if (parameters.method == "automatic" && dim == 2)
+      reason = ", in the plane";
+    else if (parameters.method == "automatic" && !SchurComplement::is_available())
+      reason = ", built without Trilinos' ML";
+    else if (parameters.method == "automatic")
+      reason = ", on up to " + std::to_string(most_cells_of_direct_method) +
+               " cells direct, on more iterative";
     return "Linear solver: " + std::string(iterative ? "iterative" : "direct") +
            " (Solver/Method = " + parameters.method + reason + ")";
   }

@@ -33,6 +33,9 @@ namespace caudal
     explicit SchurComplement(MPI_Comm communicator);
     ~SchurComplement();
 
+    /** Whether there is one: not without Trilinos' Epetra and ML. */
+    static bool is_available();
+
     /**
      * Sets B. @p u and @p q have the layouts of these vectors, @p u with ghost entries for the
      * columns of the rows of B that this rank owns. Of q, @p block_size at a time, with its first

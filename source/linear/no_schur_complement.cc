@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/linear/schur_complement.h>
+
+#include <deal.II/base/exceptions.h>
+
+using namespace dealii;
+
+// What stands for SchurComplement where deal.II has no Trilinos with Epetra and ML.
+
+namespace caudal
+{
+  struct SchurComplement::Implementation
+  {};
+
+  SchurComplement::SchurComplement(MPI_Comm) {}
+
+  SchurComplement::~SchurComplement() = default;
+
+  bool SchurComplement::is_available()
+  {
+    return false;
+  }
+
+  void SchurComplement::reinit(const FieldVector &, const FieldVector &, unsigned int,
+                               const Triplets &)
+  {
+    AssertThrow(false, ExcMessage("Solver/Method: this program was built without Trilinos' Epetra "
+                                  "and ML, which <iterative> needs. Choose direct or automatic."));
+  }
+
+  void SchurComplement::factorize(const FieldVector &, double, const Triplets &, const Triplets &,
+                                  unsigned int, const std::vector<BodyPlaces> &)
+  {
+    Assert(false, ExcInternalError());
+  }
+
+  void SchurComplement::solve(FieldVector &, FieldVector &, const FieldVector &,
+                              const FieldVector &) const
+  {
+    Assert(false, ExcInternalError());
+  }
+
+  bool SchurComplement::is_singular() const
+  {
+    return false;
+  }
+
+  double SchurComplement::get_factor_entries() const
+  {
+    return 0;
+  }
+
+  bool SchurComplement::has_pivoted() const
+  {
+    return false;
+  }
+} // namespace caudal
