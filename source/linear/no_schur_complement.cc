@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef CAUDAL_ITERATIVE_SOLVER
+
 #include <caudal/linear/schur_complement.h>
 
 #include <deal.II/base/exceptions.h>
@@ -55,3 +57,5 @@ namespace caudal
     return false;
   }
 } // namespace caudal
+
+#endif

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#ifdef CAUDAL_ITERATIVE_SOLVER
+
 #include <caudal/base/collective.h>
 #include <caudal/linear/near_system.h>
 #include <caudal/linear/schur_complement.h>
@@ -414,3 +416,5 @@ namespace caudal
     return implementation->near.has_pivoted();
   }
 } // namespace caudal
+
+#endif
