@@ -156,7 +156,9 @@ namespace caudal
       {
         const SolidBody<dim> &solid = observed.body.get_solid();
         const auto size = observation.lattice.get_cell_size(observation.lattice.get_finest_level());
-        const auto cell = *std::min_element(size.begin_raw(), size.end_raw());
+        double     cell = size[0];
+        for (unsigned int d = 1; d < dim; ++d)
+          cell = std::min(cell, size[d]);
         const Tensor<1, dim> origin = restrict_to<dim>(observation.origin);
 
         std::vector<Node<dim>>      nodes;

@@ -251,8 +251,10 @@ namespace caudal
         }
         for (unsigned int q = 0; q < points.size(); ++q)
         {
-          numbers.insert(numbers.end(), points[q].begin_raw(), points[q].end_raw());
-          numbers.insert(numbers.end(), flow[q].velocity.begin_raw(), flow[q].velocity.end_raw());
+          for (unsigned int d = 0; d < dim; ++d)
+            numbers.push_back(points[q][d]);
+          for (unsigned int d = 0; d < dim; ++d)
+            numbers.push_back(flow[q].velocity[d]);
           numbers.push_back(flow[q].pressure);
           for (const auto &values : made)
             numbers.insert(numbers.end(), values[q].begin(), values[q].end());
