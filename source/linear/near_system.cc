@@ -69,6 +69,13 @@ namespace caudal
     factorize_rest(bodies);
   }
 
+  void NearSystem::factorize_by_groups(const std::vector<int> &groups, const MatrixParts &matrix)
+  {
+    pivoted = !rest.factorize(groups, matrix);
+    if (pivoted)
+      rest.factorize_with_pivoting(groups.back(), matrix);
+  }
+
   void NearSystem::factorize_completely(const unsigned int             n_x,
                                         const std::vector<BodyPlaces> &bodies, const Triplets &J,
                                         const Triplets &E)
@@ -96,9 +103,7 @@ namespace caudal
       if (i < n_q || begins[i - n_q])
         groups.push_back(i);
     groups.push_back(n_q + n_x);
-    pivoted = !rest.factorize(groups, matrix);
-    if (pivoted)
-      rest.factorize_with_pivoting(n_q + n_x, matrix);
+    factorize_by_groups(groups, matrix);
   }
 
   void NearSystem::divide(const std::vector<BodyPlaces> &bodies, const unsigned int n_x,
@@ -210,9 +215,7 @@ namespace caudal
         matrix.entries.values[k] *= 1 - inertia[row] * inverse_rate[row];
     for (std::size_t k = 0; k < E_fy.values.size(); ++k)
       matrix.entries.add(E_fy.rows[k], E_fy.columns[k], inertia[E_fy.rows[k]] / s * E_fy.values[k]);
-    pivoted = !rest.factorize(rest_groups, matrix);
-    if (pivoted)
-      rest.factorize_with_pivoting(n_y, matrix);
+    factorize_by_groups(rest_groups, matrix);
   }
 
   /** The Schur complement for y: block 0 of a vector has y, block 1 the response (q, f) to it. */

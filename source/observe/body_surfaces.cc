@@ -77,9 +77,7 @@ namespace caudal
                           "displacement, velocity, pressure and the traction of the fluid "
                           "[Pa]: open surfaces.pvd (surfaces.xdmf). In two dimensions it is a "
                           "line.");
-        prm.add_parameter("Interval", interval,
-                          "Simulated time between two outputs of the surfaces [s]; 0: every "
-                          "step; automatic: that of the fields.");
+        interval.add_parameter(prm);
         prm.add_parameter("Distance", distance,
                           "How far outside of the surface pressure and velocity gradient are "
                           "taken from the fluid, in cells of the finest level: the immersed body "
@@ -90,7 +88,7 @@ namespace caudal
 
       void check(const std::string & /*path*/) const override
       {
-        read_interval();
+        interval.check();
         check_not_negative("Output/Surfaces/Distance", distance);
       }
 
@@ -102,7 +100,7 @@ namespace caudal
 
       double get_interval(const OutputParameters &output) const override
       {
-        return read_interval().value_or(output.field_interval);
+        return interval.get(output);
       }
 
       void write_fields(const Observation<dim> &observation, const ObserverContext<dim> &) override
@@ -113,18 +111,8 @@ namespace caudal
 
     private:
       bool        is_written = false;
-      std::string interval   = "automatic";
-      double      distance   = 1;
-
-      std::optional<double> read_interval() const
-      {
-        const std::string path   = "Output/Surfaces/Interval",
-                          remedy = "Give automatic or a time [s].";
-        const auto time          = read_unless_automatic(path, interval, remedy);
-        if (time)
-          check_not_negative(path, *time, remedy);
-        return time;
-      }
+      OwnInterval interval{"Output/Surfaces/Interval", "surfaces"};
+      double      distance = 1;
 
       void write_surface(const Observation<dim> &observation, const BodyObservation<dim> &observed)
       {

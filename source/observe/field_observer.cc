@@ -1,10 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/checks.h>
 #include <caudal/observe/field_observer.h>
 
 #include <cmath>
 
 namespace caudal
 {
+  namespace
+  {
+    const std::string remedy_of_interval = "Give automatic or a time [s].";
+  }
+
+  void OwnInterval::add_parameter(ParameterHandler &prm)
+  {
+    prm.add_parameter("Interval", interval,
+                      "Simulated time between two outputs of the " + fields +
+                          " [s]; 0: every step; automatic: that of the fields.");
+  }
+
+  void OwnInterval::check() const
+  {
+    if (const auto time = read_unless_automatic(path, interval, remedy_of_interval))
+      check_not_negative(path, *time, remedy_of_interval);
+  }
+
+  double OwnInterval::get(const OutputParameters &output) const
+  {
+    return read_unless_automatic(path, interval, remedy_of_interval)
+        .value_or(output.field_interval);
+  }
+
   template <int dim>
   void FieldObserver<dim>::start(const Observation<dim>     &observation,
                                  const ObserverContext<dim> &context)

@@ -74,16 +74,14 @@ namespace caudal
                           "lines, x, y : nx, ny. Planes are separated by ';'. They move with "
                           "Domain/Frame. The cuts are light files with what the fluid's fields "
                           "have: open slices.pvd (slices.xdmf). None: not done.");
-        prm.add_parameter("Interval", interval,
-                          "Simulated time between two outputs of the slices [s]; 0: every step; "
-                          "automatic: that of the fields.");
+        interval.add_parameter(prm);
         prm.leave_subsection();
         prm.leave_subsection();
       }
 
       void check(const std::string & /*path*/) const override
       {
-        read_interval();
+        interval.check();
         for (const auto &[point, normal] : planes)
           AssertThrow(std::isfinite(point.norm()) && std::isfinite(normal.norm()) &&
                           normal.norm() > 0,
@@ -109,7 +107,7 @@ namespace caudal
 
       double get_interval(const OutputParameters &output) const override
       {
-        return read_interval().value_or(output.field_interval);
+        return interval.get(output);
       }
 
       void write_fields(const Observation<dim>     &observation,
@@ -139,16 +137,7 @@ namespace caudal
       static constexpr unsigned int n_corners = std::tuple_size<PlanePiece<dim>>::value;
 
       std::vector<std::pair<Point<dim>, Tensor<1, dim>>> planes; // with normals of any length
-      std::string                                        interval = "automatic";
-
-      std::optional<double> read_interval() const
-      {
-        const std::string path = "Output/Slices/Interval", remedy = "Give automatic or a time [s].";
-        const auto        time = read_unless_automatic(path, interval, remedy);
-        if (time)
-          check_not_negative(path, *time, remedy);
-        return time;
-      }
+      OwnInterval interval{"Output/Slices/Interval", "slices"};
 
       static std::string describe(const Point<dim> &point, const Tensor<1, dim> &normal)
       {

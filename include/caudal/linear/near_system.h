@@ -64,6 +64,8 @@ namespace caudal
     class RestComplement;
     class RestPreconditioner;
 
+    /** Makes the factors of y, or of all; @p groups ends with the number of unknowns. */
+    void factorize_by_groups(const std::vector<int> &groups, const MatrixParts &matrix);
     void factorize_completely(unsigned int n_x, const std::vector<BodyPlaces> &bodies,
                               const Triplets &J, const Triplets &E);
     void divide(const std::vector<BodyPlaces> &bodies, unsigned int n_x, const Triplets &E);

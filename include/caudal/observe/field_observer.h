@@ -8,6 +8,29 @@
 
 namespace caudal
 {
+  /** The entry Interval of fields that are written at times of their own, or with the others. */
+  class OwnInterval
+  {
+  public:
+    /** @p path is that of the entry; @p fields, in the plural, are what it is for. */
+    OwnInterval(const std::string &path, const std::string &fields)
+        : path(path)
+        , fields(fields)
+    {}
+
+    void add_parameter(ParameterHandler &prm);
+
+    /** Throws if the entry is neither automatic nor a time. */
+    void check() const;
+
+    /** Simulated time between two outputs [s]; 0: every step. */
+    double get(const OutputParameters &output) const;
+
+  private:
+    const std::string path, fields;
+    std::string       interval = "automatic";
+  };
+
   /**
    * An observer that writes fields at an interval, and at the end of the run, as files that a list
    * of its own holds together. What derives from it says how often, and writes what it has.
