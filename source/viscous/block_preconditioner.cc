@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/linear/conjugate_residuals.h>
 #include <caudal/viscous/block_preconditioner.h>
-
-#include <deal.II/base/subscriptor.h>
-#include <deal.II/lac/precondition.h>
 
 #include <algorithm>
 
@@ -10,26 +8,12 @@ namespace caudal
 {
   namespace
   {
-    // Chebyshev's polynomial: its degree, and the largest eigenvalue over the smallest one that it
-    // is made for. Power iterations find the largest from below; an underestimate diverges.
-    constexpr unsigned int degree = 4, n_power_iterations = 20;
-    constexpr double       eigenvalue_range = 20;
-
-    class MomentumProduct : public Subscriptor
-    {
-    public:
-      explicit MomentumProduct(const CellwiseMatrix &matrix)
-          : matrix(matrix)
-      {}
-
-      void vmult(FieldVector &result, const FieldVector &source) const
-      {
-        matrix.vmult(result, source);
-      }
-
-    private:
-      const CellwiseMatrix &matrix;
-    };
+    /**
+     * Conjugate residuals for the velocities end at this part of the residual or after so many:
+     * more save no iterations of the whole.
+     */
+    constexpr double       velocity_tolerance       = 0.1;
+    constexpr unsigned int most_velocity_iterations = 4;
 
     class Jacobi
     {
@@ -57,27 +41,19 @@ namespace caudal
   {
   public:
     VelocityBlock(const CellwiseMatrix &matrix, const FieldVector &diagonal)
-        : product(matrix)
-    {
-      Chebyshev::AdditionalData data;
-      data.preconditioner       = std::make_shared<Jacobi>(diagonal);
-      data.degree               = degree;
-      data.smoothing_range      = eigenvalue_range;
-      data.eig_cg_n_iterations  = n_power_iterations;
-      data.eigenvalue_algorithm = Chebyshev::AdditionalData::EigenvalueAlgorithm::power_iteration;
-      polynomial.initialize(product, data);
-    }
+        : matrix(matrix)
+        , jacobi(diagonal)
+    {}
 
     void vmult(FieldVector &result, const FieldVector &source) const
     {
-      polynomial.vmult(result, source);
+      solve_by_conjugate_residuals(matrix, result, source, jacobi,
+                                   velocity_tolerance * source.l2_norm(), most_velocity_iterations);
     }
 
   private:
-    using Chebyshev = PreconditionChebyshev<MomentumProduct, FieldVector, Jacobi>;
-
-    const MomentumProduct product;
-    Chebyshev             polynomial;
+    const CellwiseMatrix &matrix;
+    const Jacobi          jacobi;
   };
 
   template <int dim>

@@ -19,7 +19,7 @@ namespace caudal
     prm.add_parameter(
         "Method", method,
         "direct: factorise the matrix of velocities and bodies; iterative: factorise what is near "
-        "the bodies alone, and iterate; automatic: iterative in 3D on more than 3000 cells, else "
+        "the bodies alone, and iterate; automatic: iterative in 3D on more than 1000 cells, else "
         "direct. It is decided anew when the grid changes.",
         Patterns::Selection("automatic|direct|iterative"));
     prm.add_parameter("Tolerance", tolerance,
@@ -73,11 +73,10 @@ namespace caudal
 
     /**
      * In 3D factors grow with the 4/3rd power of the cells, and operations with the square: at 800
-     * cells both methods take a second, at 2,600 six and three. With steps of several spacings
-     * the iterations may stall, and direct factors fit up to here. A constant,
+     * cells both methods take a second, at 2,600 one takes six and the other two. A constant,
      * since decisions by measured times or by free memory would differ from run to run.
      */
-    constexpr unsigned int most_cells_of_direct_method = 3000;
+    constexpr unsigned int most_cells_of_direct_method = 1000;
 
     // An old factorisation that was not worth it is tried again after this many steps at most.
     constexpr unsigned int longest_pause = 64;

@@ -14,9 +14,12 @@ namespace caudal
    * and bodies together by their SchurComplement, with the diagonal
    *   D = diag(A - gamma B^T M_p^-1 B)
    * in place of A; then what viscosity and grad-div resist, dq -= (gamma + mu) M_p^-1 r_p in each
-   * cell (Cahouet & Chabard 1988, doi:10.1002/fld.1650080802); then the velocities by Chebyshev's
-   * polynomial on diag(A)^-1 A,
+   * cell (Cahouet & Chabard 1988, doi:10.1002/fld.1650080802); then the velocities by a few
+   * conjugate residuals with diag(A),
    *   du ~ A^-1 (r_u - B^T dq + G^T dPhi).
+   * Polynomials for real eigenvalues (Chebyshev's) would magnify what a flow that passes several
+   * spacings in a step carries along. The preconditioner is not linear: see
+   * solve_by_conjugate_residuals.
    * A stiff body is no obstacle, since its force and the pressure share a Schur complement; a large
    * grad-div coefficient is: beyond ten times the inertia, counts grow. @p equations and what they
    * refer to have to outlive the use of set_up().
