@@ -229,7 +229,7 @@ namespace caudal
         rows->scatter(cell, &outputs(k, 0), out);
         if (rows == columns && rows->is_constrained(cell))
         {
-          const double       entry       = get_constrained_entry(level, cell);
+          const double       entry       = get_constrained_entry(level, cell, Parts::all);
           const CellIndices &constrained = rows->constrained;
           for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
             out[constrained.local[i]] += entry * in[constrained.local[i]];
@@ -280,10 +280,10 @@ namespace caudal
   }
 
   double CellwiseMatrix::get_diagonal_entry(const unsigned int level, const unsigned int cell,
-                                            const unsigned int i) const
+                                            const unsigned int i, const Parts parts) const
   {
     double entry = level_matrices[level](i, i);
-    if (!scalar_matrices.empty())
+    if (parts == Parts::all && !scalar_matrices.empty())
     {
       const std::size_t n = n_scalar(), s = columns->places[i] % n;
       entry += scalar_matrices[(cell * n + s) * n + s];
@@ -291,13 +291,13 @@ namespace caudal
     return entry;
   }
 
-  double CellwiseMatrix::get_constrained_entry(const unsigned int level,
-                                               const unsigned int cell) const
+  double CellwiseMatrix::get_constrained_entry(const unsigned int level, const unsigned int cell,
+                                               const Parts parts) const
   {
     // The mean of the other diagonal entries has the right order of magnitude.
     double sum = 0;
     for (unsigned int i = 0; i < columns->n_per_cell; ++i)
-      sum += std::abs(get_diagonal_entry(level, cell, i)) / columns->n_per_cell;
+      sum += std::abs(get_diagonal_entry(level, cell, i, parts)) / columns->n_per_cell;
     return sum;
   }
 
@@ -330,7 +330,7 @@ namespace caudal
     });
   }
 
-  void CellwiseMatrix::add_diagonal(FieldVector &result) const
+  void CellwiseMatrix::add_diagonal(FieldVector &result, const Parts parts) const
   {
     Assert(rows == columns, ExcNotImplemented());
     const CellIndices &left = columns->left, &constrained = columns->constrained;
@@ -345,16 +345,19 @@ namespace caudal
         if (!columns->is_constrained(cell))
         {
           for (std::size_t i = 0; i < n_left; ++i)
-            result.local_element(local[i]) += get_diagonal_entry(level, cell, i);
+            result.local_element(local[i]) += get_diagonal_entry(level, cell, i, parts);
           continue;
         }
-        get_cell_matrix(level, cell, matrix);
+        if (parts == Parts::all)
+          get_cell_matrix(level, cell, matrix);
+        else
+          matrix = level_matrices[level];
         values.assign(n_left * n_left, 0.);
         resolve(cell, matrix, values.data());
         for (std::size_t i = 0; i < n_left; ++i)
           result.local_element(local[i]) += values[i * n_left + i];
         for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
-          result.local_element(constrained.local[i]) += get_constrained_entry(level, cell);
+          result.local_element(constrained.local[i]) += get_constrained_entry(level, cell, parts);
       }
     });
     result.compress(VectorOperation::add);
@@ -414,7 +417,7 @@ namespace caudal
         values += static_cast<std::size_t>(left.n(cell)) * left.n(cell);
         for (std::size_t i = constrained.begins[cell]; i < constrained.begins[cell + 1]; ++i)
           parts.entries.add(constrained.global[i], constrained.global[i],
-                            get_constrained_entry(level, cell));
+                            get_constrained_entry(level, cell, Parts::all));
       }
     });
   }

@@ -273,7 +273,8 @@ namespace caudal
         weights.push_back(&space.get_cell_matrices(cell->level()).get_inverse_pressure_mass());
     FieldVector squares = space.make_velocity_vector();
     divergence_matrix.add_diagonal_of_squares(weights, squares);
-    FieldVector diagonal = compute_diagonal();
+    FieldVector diagonal = space.make_velocity_vector();
+    matrix.add_diagonal(diagonal, CellwiseMatrix::Parts::of_levels);
     diagonal.add(-grad_div, squares);
     return diagonal;
   }

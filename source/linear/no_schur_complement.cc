@@ -30,8 +30,12 @@ namespace caudal
                                   "and ML, which <iterative> needs. Choose direct or automatic."));
   }
 
-  void SchurComplement::factorize(const FieldVector &, double, const Triplets &, const Triplets &,
-                                  unsigned int, const std::vector<BodyPlaces> &)
+  void SchurComplement::set_diagonal(const FieldVector &, double)
+  {
+    Assert(false, ExcInternalError());
+  }
+
+  void SchurComplement::couple(Triplets, Triplets, unsigned int, const std::vector<BodyPlaces> &)
   {
     Assert(false, ExcInternalError());
   }

@@ -179,7 +179,7 @@ namespace caudal
     void     set_divergence(const FieldVector &u, const FieldVector &q, unsigned int block_size,
                             const Triplets &entries);
     void     set_up_cycle();
-    void     find_enclosed(const FieldVector &u, const Matrix &G_transposed);
+    void     find_enclosed(const Matrix &G_transposed);
     Triplets collect_near(const Matrix &H) const;
     void     add_near(FieldVector &q, FieldVector &x, const FieldVector &r_q,
                       const FieldVector &r_x) const;
@@ -188,11 +188,13 @@ namespace caudal
     const bool     is_root;
 
     IndexSet              owned_u, owned_q, owned_x;
+    FieldVector           with_velocities; // zeros
     unsigned int          block_size = 1;
     std::optional<Matrix> B, B_transposed;
     bool                  is_singular = false; // for constant multipliers
 
     double                            s = 1;
+    TrilinosWrappers::MPI::Vector     inverse_diagonal; // of D
     Matrix                            S, C;
     TrilinosWrappers::PreconditionAMG cycle;
 
@@ -201,12 +203,15 @@ namespace caudal
     std::vector<types::global_dof_index> enclosed;
     FieldVector                          with_enclosed;
     NearSystem                           near; // of the root
+    bool                                 is_coupled = false;
+    Triplets                             G, E; // of the last call of couple()
   };
 
   void SchurComplement::Implementation::set_divergence(const FieldVector &u, const FieldVector &q,
                                                        const unsigned int n_per_cell,
                                                        const Triplets    &entries)
   {
+    with_velocities.reinit(u);
     owned_u    = u.locally_owned_elements();
     owned_q    = q.locally_owned_elements();
     block_size = n_per_cell;
@@ -248,10 +253,9 @@ namespace caudal
     cycle.initialize(matrix, parameters);
   }
 
-  void SchurComplement::Implementation::find_enclosed(const FieldVector &u,
-                                                      const Matrix      &G_transposed)
+  void SchurComplement::Implementation::find_enclosed(const Matrix &G_transposed)
   {
-    FieldVector touched(u);
+    FieldVector touched(with_velocities);
     for (const auto i : owned_u)
       touched(i) = G_transposed.row_length(i) > 0 ? 1 : 0;
     touched.update_ghost_values();
@@ -349,9 +353,7 @@ namespace caudal
     implementation->set_divergence(u, q, block_size, B);
   }
 
-  void SchurComplement::factorize(const FieldVector &D, const double s, const Triplets &G,
-                                  const Triplets &E, const unsigned int n_x,
-                                  const std::vector<BodyPlaces> &bodies)
+  void SchurComplement::set_diagonal(const FieldVector &D, const double s)
   {
     Implementation               &own = *implementation;
     TrilinosWrappers::MPI::Vector inverse(own.owned_u, own.communicator);
@@ -367,22 +369,37 @@ namespace caudal
         own.S.set(i, i, (1 + regularisation) * own.S.diag_element(i));
     own.S.compress(VectorOperation::insert);
     own.set_up_cycle();
+    own.inverse_diagonal = inverse;
+    own.is_coupled       = false;
+  }
 
-    own.owned_x = IndexSet(n_x);
-    if (n_x == 0)
+  void SchurComplement::couple(Triplets G, Triplets E, const unsigned int n_x,
+                               const std::vector<BodyPlaces> &bodies)
+  {
+    Implementation &own = *implementation;
+    if (Utilities::MPI::min(static_cast<int>(own.is_coupled && G == own.G && E == own.E),
+                            own.communicator) == 1)
       return;
+    own.is_coupled = false; // should it fail
+    own.owned_x    = IndexSet(n_x);
     if (own.is_root)
       own.owned_x.add_range(0, n_x);
-    const Matrix G_matrix     = assemble(G, false, own.owned_x, own.owned_u, own.communicator);
-    const Matrix G_transposed = assemble(G, true, own.owned_u, own.owned_x, own.communicator);
-    Matrix       H;
-    G_matrix.mmult(own.C, *own.B_transposed, inverse);
-    G_matrix.mmult(H, G_transposed, inverse);
-    own.find_enclosed(D, G_transposed);
-    Triplets J = own.collect_near(H);
-    run_on_root(own.communicator, [&]() {
-      own.near.factorize(own.enclosed.size(), n_x, bodies, s, std::move(J), E);
-    });
+    if (n_x > 0)
+    {
+      const Matrix G_matrix     = assemble(G, false, own.owned_x, own.owned_u, own.communicator);
+      const Matrix G_transposed = assemble(G, true, own.owned_u, own.owned_x, own.communicator);
+      Matrix       H;
+      G_matrix.mmult(own.C, *own.B_transposed, own.inverse_diagonal);
+      G_matrix.mmult(H, G_transposed, own.inverse_diagonal);
+      own.find_enclosed(G_transposed);
+      Triplets J = own.collect_near(H);
+      run_on_root(own.communicator, [&]() {
+        own.near.factorize(own.enclosed.size(), n_x, bodies, own.s, std::move(J), E);
+      });
+    }
+    own.G          = std::move(G);
+    own.E          = std::move(E);
+    own.is_coupled = true;
   }
 
   void SchurComplement::solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,

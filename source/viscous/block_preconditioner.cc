@@ -81,10 +81,15 @@ namespace caudal
                                         const MomentumWeights       &new_weights)
   {
     equations = &new_equations;
-    weights   = new_weights;
-    schur_complement.factorize(momentum.compute_smooth_diagonal(weights.grad_div), weights.inertia,
-                               equations->collect_interactions(), equations->collect_body_matrix(),
-                               equations->get_n_body_unknowns(), equations->get_body_places());
+    // Between changes of grid and step the pressures' part is the same.
+    const bool is_known = velocity_block && new_weights == weights;
+    velocity_block.reset(); // should it fail
+    if (!is_known)
+      schur_complement.set_diagonal(momentum.compute_smooth_diagonal(new_weights.grad_div),
+                                    new_weights.inertia);
+    weights = new_weights;
+    schur_complement.couple(equations->collect_interactions(), equations->collect_body_matrix(),
+                            equations->get_n_body_unknowns(), equations->get_body_places());
     velocity_block =
         std::make_unique<VelocityBlock>(momentum.get_matrix(), momentum.compute_diagonal());
   }

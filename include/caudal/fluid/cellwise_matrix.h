@@ -50,8 +50,15 @@ namespace caudal
     /** result += A^T source, of a matrix that is not square. Collective. */
     void Tvmult_add(FieldVector &result, const FieldVector &source) const;
 
+    /** Of a square matrix: all, or L alone, which cells have in common. */
+    enum class Parts
+    {
+      all,
+      of_levels
+    };
+
     /** result += the diagonal of a square matrix. Collective. */
-    void add_diagonal(FieldVector &result) const;
+    void add_diagonal(FieldVector &result, Parts parts = Parts::all) const;
 
     /**
      * result += the diagonal of the sum of A_c^T W_c A_c, A_c the matrix of the cell c, for a
@@ -140,11 +147,12 @@ namespace caudal
     template <typename Operation>
     void for_each_resolved(const Operation &operation) const;
 
-    /** The diagonal entry of unknown @p i of the element in (L + C_c x I). */
-    double get_diagonal_entry(unsigned int level, unsigned int cell, unsigned int i) const;
+    /** The diagonal entry of unknown @p i of the element in (L + C_c x I), or in L. */
+    double get_diagonal_entry(unsigned int level, unsigned int cell, unsigned int i,
+                              Parts parts) const;
 
     /** The entry on the diagonal for constrained unknowns of the cell. */
-    double get_constrained_entry(unsigned int level, unsigned int cell) const;
+    double get_constrained_entry(unsigned int level, unsigned int cell, Parts parts) const;
   };
 } // namespace caudal
 

@@ -66,8 +66,9 @@ namespace caudal
     }
 
     /**
-     * The diagonal of A - gamma B^T M_p^-1 B, @p grad_div being gamma: A without its grad-div term
-     * as far as the pressure space can tell a divergence.
+     * The diagonal of A - gamma B^T M_p^-1 B, @p grad_div being gamma, without convection: of A
+     * without its grad-div term as far as the pressure space can tell a divergence. It depends on
+     * grid and weights only.
      */
     FieldVector compute_smooth_diagonal(double grad_div) const;
 

@@ -21,6 +21,11 @@ namespace caudal
       columns.push_back(column);
       values.push_back(value);
     }
+
+    bool operator==(const Triplets &other) const
+    {
+      return rows == other.rows && columns == other.columns && values == other.values;
+    }
   };
 
   /** Dense matrix that couples some unknowns with each other; non-owning. */

@@ -44,12 +44,15 @@ namespace caudal
     void reinit(const FieldVector &u, const FieldVector &q, unsigned int block_size,
                 const Triplets &B);
 
+    /** Sets D and s, after which couple() is due. */
+    void set_diagonal(const FieldVector &D, double s);
+
     /**
-     * Sets D, s, G and E. The rows of @p G, and rows and columns of @p E, which is that of rank 0,
-     * are numbered from 0 to @p n_x; @p bodies says which of them are whose.
+     * Sets G and E. The rows of @p G, and rows and columns of @p E, which is that of rank 0, are
+     * numbered from 0 to @p n_x; @p bodies says which of them are whose. Where both are those of
+     * the last call, as for bodies at rest, the factors are kept.
      */
-    void factorize(const FieldVector &D, double s, const Triplets &G, const Triplets &E,
-                   unsigned int n_x, const std::vector<BodyPlaces> &bodies);
+    void couple(Triplets G, Triplets E, unsigned int n_x, const std::vector<BodyPlaces> &bodies);
 
     /** An approximate solution; @p x and @p r_x may be empty. */
     void solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,
