@@ -58,22 +58,24 @@ namespace caudal
   } // namespace
 
   template <typename VectorType>
-  std::vector<double> compute_inner_products(const std::deque<VectorType> &vectors,
-                                             const VectorType             &vector)
+  std::vector<double> compute_inner_products(const std::vector<const VectorType *> &vectors,
+                                             const VectorType                      &vector)
   {
     std::vector<double> products;
-    for (const VectorType &other : vectors)
-      products.push_back(multiply_own_parts(other, vector));
+    for (const VectorType *other : vectors)
+      products.push_back(multiply_own_parts(*other, vector));
     Utilities::MPI::sum(products, get_communicator(vector), products);
     return products;
   }
 
-  template std::vector<double> compute_inner_products(const std::deque<Vector<double>> &,
+  template std::vector<double> compute_inner_products(const std::vector<const Vector<double> *> &,
                                                       const Vector<double> &);
-  template std::vector<double> compute_inner_products(const std::deque<BlockVector<double>> &,
-                                                      const BlockVector<double> &);
-  template std::vector<double> compute_inner_products(const std::deque<DistributedVector> &,
-                                                      const DistributedVector &);
-  template std::vector<double> compute_inner_products(const std::deque<DistributedBlockVector> &,
-                                                      const DistributedBlockVector &);
+  template std::vector<double>
+  compute_inner_products(const std::vector<const BlockVector<double> *> &,
+                         const BlockVector<double> &);
+  template std::vector<double>
+  compute_inner_products(const std::vector<const DistributedVector *> &, const DistributedVector &);
+  template std::vector<double>
+  compute_inner_products(const std::vector<const DistributedBlockVector *> &,
+                         const DistributedBlockVector &);
 } // namespace caudal

@@ -7,7 +7,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 
-#include <deque>
 #include <vector>
 
 namespace caudal
@@ -18,8 +17,8 @@ namespace caudal
    * distributed vectors and block vectors of deal.II. Collective.
    */
   template <typename VectorType>
-  std::vector<double> compute_inner_products(const std::deque<VectorType> &vectors,
-                                             const VectorType             &vector);
+  std::vector<double> compute_inner_products(const std::vector<const VectorType *> &vectors,
+                                             const VectorType                      &vector);
 } // namespace caudal
 
 #endif
