@@ -54,6 +54,9 @@ PICTURES = (
     draw("flag", "A flag behind a cylinder", "prm/benchmarks/fsi3_fast.prm", "fsi3_fast", "vorticity",
          "Turek and Hron's benchmark FSI3 at its least cost: flutter of an elastic flag; amplitude, "
          "frequency and drag are compared in prm/benchmarks/README.md.", "--limit 150"),
+    draw("sphere", "A sphere in a stream", "prm/sphere.prm", "sphere", "slices",
+         "In three dimensions, at a Reynolds number of 100: the vorticity across the plane through its "
+         "centre. Behind it a ring of fluid turns the other way.", "--limit 6"),
     draw("vortices", "Vortices in three dimensions", "prm/cookbook/ball.prm", "ball", "vortices",
          "A ball in a stream at a Reynolds number of 100, on a coarse grid: a surface of equal Q, coloured "
          "by the vorticity about z ([recipe](cookbook/three_dimensions.md)).", "--level 4"),
@@ -118,7 +121,7 @@ def make(root, names):
             shell(command, root)
         target = root / "doc" / "gallery" / f"{picture.name}.png"
         target.parent.mkdir(exist_ok=True)
-        is_field = picture.file in ("plots/vorticity.png", "plots/vortices.png")
+        is_field = picture.file in (f"plots/{name}.png" for name in ("vorticity", "vortices", "slices"))
         target.write_bytes(shrink((folder / picture.file).read_bytes(), is_field))
         print(f"{target} ({target.stat().st_size / 1000:.0f} kB)")
     write_page(root)
