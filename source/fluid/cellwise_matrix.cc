@@ -265,18 +265,23 @@ namespace caudal
   void CellwiseMatrix::get_cell_matrix(const unsigned int level, const unsigned int cell,
                                        FullMatrix<double> &matrix) const
   {
-    matrix = level_matrices[level];
+    // The assignment of matrices allocates memory.
+    std::copy_n(&level_matrices[level](0, 0), matrix.n_elements(), &matrix(0, 0));
     if (scalar_matrices.empty())
       return;
-    const std::size_t n      = n_scalar();
-    const double     *scalar = &scalar_matrices[cell * n * n];
+    const unsigned int n      = n_scalar();
+    const double      *scalar = &scalar_matrices[static_cast<std::size_t>(cell) * n * n];
     for (unsigned int i = 0; i < matrix.m(); ++i)
+    {
+      const unsigned int row = columns->places[i], component_begin = row / n * n;
       for (unsigned int j = 0; j < matrix.n(); ++j)
       {
-        const unsigned int row = columns->places[i], column = columns->places[j];
-        if (row / n == column / n)
-          matrix(i, j) += scalar[column % n * n + row % n];
+        // Before the component's begin it is a large number.
+        const unsigned int column = columns->places[j] - component_begin;
+        if (column < n)
+          matrix(i, j) += scalar[column * n + row - component_begin];
       }
+    }
   }
 
   double CellwiseMatrix::get_diagonal_entry(const unsigned int level, const unsigned int cell,
@@ -304,6 +309,13 @@ namespace caudal
   void CellwiseMatrix::resolve(const unsigned int cell, const FullMatrix<double> &matrix,
                                double *values) const
   {
+    if (!rows->is_constrained(cell) && !columns->is_constrained(cell))
+    {
+      const double *entries = &matrix(0, 0);
+      for (std::size_t k = 0; k < matrix.n_elements(); ++k)
+        values[k] += entries[k];
+      return;
+    }
     const std::size_t n = columns->left.n(cell);
     for (unsigned int i = 0; i < matrix.m(); ++i)
       rows->for_each_left(cell, i, [&](const unsigned int row, const double row_weight) {
