@@ -14,6 +14,7 @@ from caudal_report import page as html
 
 from . import SweepError, design, estimate, jobs, mesh, page, plot, table
 from .case import Case
+from .records import ANEW, GOES_ON, KNOWN, NEW, Records, refuse_others, show_folder
 
 # All of these from one table of phases: one run has them.
 JOINED = re.compile(r"(Body [^/]+/)?Gait/Frequency")
@@ -98,7 +99,8 @@ def write(case, options, axes, runs, joined, spacings, folder, arguments):
         figure.savefig(folder / "sweep.png")
         print(folder / "sweep.png")
     else:
-        print("No plot: no figure has a point over an entry with several values.")
+        print("No plot: no figure has a point over an entry with several values."
+              if any(job.state == "finished" for job in runs) else "No plot: no run is finished yet.")
         (folder / "sweep.png").unlink(missing_ok=True)  # of an earlier call
     report = page.describe(case, axes, entries, runs, results, figure, folder)
     if study:
@@ -123,18 +125,41 @@ def work(arguments):
     case.check(points[0])
     kind = "mesh" if options.mesh else "sweep"
     folder = (options.folder or RESULTS / f"{kind}_{case.name}").resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    records = jobs.Records(folder)
     runs = jobs.make_jobs(case, points, folder)
-    runner = jobs.Runner(records, options.ranks, options.jobs, options.retry)
+    runner = jobs.Runner(Records(folder, is_read_only=True), options.ranks, options.jobs, options.retry)
+    runner.make_plans(runs)
+    refuse_others([job.plan for job in runs], folder)
     if options.dry_run:
-        costs = estimate.check_jobs(runs, runner.recall)
-        print(*estimate.describe(costs, runner.n_at_once), sep="\n")
-        return 1 if costs["state"].str.startswith("can't").any() else 0
+        return tell_costs(runs, runner.n_at_once, options.mesh)
+    runner.check_values(runs)
+    runner.records = Records(folder)  # from here on the folder is ours
+    runner.make_plans(runs)
+    print(*describe_plans(runs, runner.n_at_once, folder), sep="\n", flush=True)
     has_ended = runner.run(runs)
     style.apply()
     troubles = write(case, options, axes, runs, joined, spacings, folder, arguments)
     return finish(runner, runs, troubles, has_ended)
+
+
+def tell_costs(runs, n_at_once, is_mesh):
+    """--dry-run: what would be made, at which costs, and what is doubtful; the exit code."""
+    costs = estimate.check_jobs(runs)
+    print(*estimate.list_warnings(costs), *estimate.describe(costs, n_at_once), sep="\n")
+    if is_mesh:
+        print(mesh.STEP_STAYS)
+    return 1 if costs["state"].str.startswith("can't").any() else 0
+
+
+def describe_plans(runs, n_at_once, folder):
+    """What will be done, in lines."""
+    kinds = [job.plan.kind for job in runs]
+    counts = {"to be made": sum(kind in (NEW, ANEW) for kind in kinds),
+              "going on": kinds.count(GOES_ON), "known already": kinds.count(KNOWN)}
+    n_missing = len(runs) - counts["known already"]
+    told = ", ".join(f"{count} {word}" for word, count in counts.items() if count)
+    at_once = f", {min(n_at_once, n_missing)} at a time" if n_missing else ""
+    return [f"{len(runs)} runs in {show_folder(folder)}: {told}{at_once}."] + \
+        [f"{job.name}: {job.plan.describe()}" for job in runs if job.plan.kind == GOES_ON]
 
 
 def finish(runner, runs, troubles, has_ended):
