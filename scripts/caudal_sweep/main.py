@@ -12,7 +12,7 @@ from caudal_plots import style
 from caudal_plots.program import PROGRAM, RESULTS
 from caudal_report import page as html
 
-from . import SweepError, design, estimate, jobs, mesh, page, plot, table
+from . import SweepError, design, estimate, figures, jobs, mesh, page, plot, table
 from .case import Case
 from .records import ANEW, GOES_ON, KNOWN, NEW, Records, refuse_others, show_folder
 
@@ -61,6 +61,7 @@ def parse(arguments):
     if bool(options.axes) + bool(options.list) + options.mesh != 1:
         raise SweepError("Give either entries with values, or --list, or --mesh: see scripts/sweep "
                          "--help.")
+    options.wanted = tuple(name.strip() for name in (options.figures or "").split(",") if name.strip())
     if options.grids and not options.mesh:
         raise SweepError("--grids belongs to --mesh. Give both, or neither.")
     return options
@@ -81,11 +82,12 @@ def make_design(case, options):
 def write(case, options, axes, runs, joined, spacings, folder, arguments):
     """Table, plots and pages; what went wrong with pages."""
     entries = list(dict.fromkeys([*(axis.entry for axis in axes), *runs[0].point]))
-    wanted = tuple(name.strip() for name in (options.figures or "").split(",") if name.strip())
-    results = table.make_table(runs, entries, case.model, wanted, joined)
+    results = table.make_table(runs, entries, case.model, options.wanted, joined)
     table.write(results, folder / "sweep.csv")
     print(folder / "sweep.csv")
-    troubles = [] if options.no_pages else page.make_run_pages(runs, case.model)
+    unknown = table.find_unknown(runs, case.model, options.wanted)
+    troubles = [figures.describe_unknown(unknown)] if unknown else []
+    troubles += [] if options.no_pages else page.make_run_pages(runs, case.model)
     command = shlex.join(["scripts/sweep", *arguments])
     if spacings:
         study = mesh.Study(axes[0], spacings, results, entries, case.model)
@@ -123,6 +125,7 @@ def work(arguments):
     else:
         axes, points, joined = make_design(case, options)
     case.check(points[0])
+    axes = design.name_axes(axes, case.read_units())
     kind = "mesh" if options.mesh else "sweep"
     folder = (options.folder or RESULTS / f"{kind}_{case.name}").resolve()
     runs = jobs.make_jobs(case, points, folder)
@@ -131,14 +134,25 @@ def work(arguments):
     refuse_others([job.plan for job in runs], folder)
     if options.dry_run:
         return tell_costs(runs, runner.n_at_once, options.mesh)
+    if unknown := table.find_unknown(runs, case.model, options.wanted):
+        raise SweepError(figures.describe_unknown(unknown) + " No run was started.")
     runner.check_values(runs)
     runner.records = Records(folder)  # from here on the folder is ours
     runner.make_plans(runs)
     print(*describe_plans(runs, runner.n_at_once, folder), sep="\n", flush=True)
-    has_ended = runner.run(runs)
+    has_ended = runner.run(runs, lambda job: warn_of_figures(job, options.wanted))
     style.apply()
     troubles = write(case, options, axes, runs, joined, spacings, folder, arguments)
     return finish(runner, runs, troubles, has_ended)
+
+
+def warn_of_figures(job, wanted):
+    """Tells, once a run has finished, of names of figures that it does not have: others go on, as
+    their results are not in vain."""
+    unknown = table.find_unknown([job], job.case.model, wanted)
+    if unknown:
+        print(figures.describe_unknown(unknown) + " The table is written without; called again with "
+              "other --figures, nothing is run twice.", file=sys.stderr, flush=True)
 
 
 def tell_costs(runs, n_at_once, is_mesh):

@@ -151,6 +151,7 @@ class Study:
         """A row for each figure of each body or frequency; none if a grid is missing."""
         records = []
         done = table[table[STATE] == "finished"]
+        short = "/".join(axis.entry.split("/")[-2:])
         key = LABELS.get(model)
         has_labels = key in table and done[key].nunique() > 1
         for value, rows in done.groupby(key, sort=False) if has_labels else [("", done)]:
@@ -165,7 +166,7 @@ class Study:
                 scale = abs(values[-1])
                 records.append({
                     "figure": name, "of": label,
-                    **{f"{axis.label} = {grid}": value for grid, value in zip(axis.values, values)},
+                    **{f"{short} = {grid}": value for grid, value in zip(axis.values, values)},
                     "observed order": order, "extrapolated": limit, "error bar": bar,
                     "convergence index [%]": 100 * bar / scale if bar is not None and scale else None,
                     "remark": "; ".join(filter(None, (remark, unsteady)))})
