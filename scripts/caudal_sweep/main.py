@@ -21,7 +21,8 @@ JOINED = re.compile(r"(Body [^/]+/)?Gait/Frequency")
 
 EPILOG = """
 A sweep that is called again makes only what is missing: finished runs are kept, stopped ones go on
-from their checkpoints. Results: sweep.csv (units in the headers), sweep.png, report.html, and
+from their checkpoints. With a longer -D "Time/End time=..." all go on from where they are; other
+settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html, and
 runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs finished; 1 an
 error, or a run failed (the table tells why); 2 stopped on request.
 """
@@ -53,7 +54,8 @@ def parse(arguments):
                         help="plot steady beats only; otherwise others have hollow points")
     parser.add_argument("--retry", action="store_true", help="make failed runs again, too")
     parser.add_argument("--no-pages", action="store_true", help="no page for each run: faster")
-    parser.add_argument("--dry-run", action="store_true", help="only tell the runs and their costs")
+    parser.add_argument("--dry-run", action="store_true", help="only tell the runs, their "
+                        "costs and what is doubtful; write nothing")
     options = parser.parse_args(arguments)
     for name in ("jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
@@ -132,10 +134,10 @@ def work(arguments):
     runner = jobs.Runner(Records(folder, is_read_only=True), options.ranks, options.jobs, options.retry)
     runner.make_plans(runs)
     refuse_others([job.plan for job in runs], folder)
-    if options.dry_run:
-        return tell_costs(runs, runner.n_at_once, options.mesh)
     if unknown := table.find_unknown(runs, case.model, options.wanted):
         raise SweepError(figures.describe_unknown(unknown) + " No run was started.")
+    if options.dry_run:
+        return tell_costs(runs, runner.n_at_once, options.mesh)
     runner.check_values(runs)
     runner.records = Records(folder)  # from here on the folder is ours
     runner.make_plans(runs)

@@ -11,6 +11,7 @@ import pandas as pd
 from caudal_report import page
 from caudal_report.common import draw_picture
 
+from .design import shorten
 from .table import REMARK, RUN, STATE, get_figures
 
 
@@ -47,13 +48,14 @@ def make_link(job, folder, text):
 
 def make_results(table, axes, entries, model, links):
     """The table of finished runs; headers are short and have the units small."""
-    labels = {axis.entry: axis.label for axis in axes}
+    labels = {**shorten(entries), **{axis.entry: axis.label for axis in axes}}
     done = table[table[STATE] == "finished"]
     shown = [name for name in table if name not in (STATE,)]
     header = []
     for name in shown:
         words, _, unit = labels.get(name, name).partition(" [")
-        header.append(page.escape(words) + (" " + page.make_element("small", f"[{unit}") if unit else ""))
+        header.append(page.escape(words) + (page.Html("<br>") + page.make_element("small", f"[{unit}")
+                                            if unit else ""))
     figures = get_figures(table, entries, model)
     rows = [[links[row[RUN]] if name == RUN else
              page.format_number(row[name]) if name in figures else
@@ -82,7 +84,7 @@ def describe(case, axes, entries, jobs, table, figure, folder):
                               "beat.") if case.model == "immersed" else page.Html()
     report.add("Results", make_results(table, axes, entries, case.model, links) + unsteady)
     if figure is not None:
-        report.add("Plots", draw_picture(report, lambda: figure, "The figures over " + axes[0].entry))
+        report.add("Plots", draw_picture(report, lambda: figure, "The figures over " + axes[0].label))
     missing = [job for job in jobs if job.state != "finished"]
     if missing:
         report.add("Runs without results", page.make_table(
