@@ -9,7 +9,8 @@ from caudal_plots import style
 from caudal_plots.program import ROOT
 from caudal_sweep import SweepError
 from caudal_sweep.case import Case
-from caudal_sweep.jobs import Job, Records, Runner
+from caudal_sweep.jobs import Job, Runner
+from caudal_sweep.records import Records
 
 from . import paper, pictures
 

@@ -12,6 +12,9 @@ from caudal_plots.program import ENVIRONMENT, PROGRAM
 
 from . import SweepError
 
+# Entries that results do not depend on.
+WITHOUT_EFFECT = re.compile(r"Output/Folder|Output/Existing results|Checkpoint/.*")
+
 
 def call(arguments, **options):
     """What the program prints, and its exit code."""
@@ -32,6 +35,11 @@ def find_cause(text, code):
     return f"exit code {code}" + (f": {lines[-1]}" if lines else ", and it said nothing")
 
 
+def join_lines(lines):
+    """The lines without comments; those that a backslash continues are one."""
+    return "\n".join(line.partition("#")[0].rstrip() for line in lines).replace("\\\n", " ").split("\n")
+
+
 class Case:
     """A .prm file and what is set on the command line for all of its runs."""
 
@@ -47,7 +55,7 @@ class Case:
         except (OSError, UnicodeDecodeError) as error:
             raise SweepError(f"{prm} can't be read: {error}. Give a parameter file.") from error
         self.values = {f"{section}/{entry}".lstrip("/"): value for section, entry, value, _
-                       in parse_parameters(line.partition("#")[0] for line in self.lines)}
+                       in parse_parameters(join_lines(self.lines))}
         self.values.update((part.strip() for part in override.split("=", 1))
                            for override in self.overrides)
 
@@ -68,22 +76,48 @@ class Case:
         settings = [*self.overrides, *(f"{entry}={value}" for entry, value in point.items())]
         return [word for setting in settings for word in ("-D", setting)]
 
-    def get_fingerprint(self, point):
-        """Of all that decides on the results of a run: the file, what it includes, the settings,
-        and the tables and meshes that are named in it. Not of the program."""
-        settings = [*self.overrides, *(f"{entry}={value}" for entry, value in sorted(point.items()))]
-        digest = hashlib.sha256("\n".join([*self.lines, *settings]).encode())
-        for value in [*self.values.values(), *point.values()]:
+    def get_settings(self, point):
+        """All that is set in a run and decides on its results."""
+        return {entry: value for entry, value in {**self.values, **point}.items()
+                if not WITHOUT_EFFECT.fullmatch(entry)}
+
+    def get_files(self, point):
+        """{name: digest} of the tables and meshes that are named in the settings."""
+        files = {}
+        for value in self.get_settings(point).values():
             for folder in (self.prm.parent, pathlib.Path()):
                 path = folder / value
                 if len(value) < 200 and re.search(r"\w", value) and path.is_file():
-                    digest.update(path.read_bytes())
+                    files[value] = hashlib.sha256(path.read_bytes()).hexdigest()
                     break
-        return digest.hexdigest()
+        return files
+
+    def read_units(self):
+        """{entry: unit} as the descriptions of the parameters tell them; not where there are several."""
+        text, code = call(["--print-parameters", "prm", self.prm, *self.make_options({})])
+        units, words, section = {}, "", []
+        for line in map(str.strip, text.splitlines() if code == 0 else []):
+            if line.startswith("#"):
+                words += line.removeprefix("#")
+                continue
+            if line.startswith("subsection "):
+                section.append(line.removeprefix("subsection ").strip())
+            elif line == "end" and section:
+                section.pop()
+            elif match := re.match(r"set\s+(.*?)\s*=", line):
+                found = set(re.findall(r"\[((?:[\w%/^. ()-]|\*)+)\]", words)) - {"1", "-"}
+                if len(found) == 1:
+                    units["/".join([*section, match[1]])] = found.pop()
+            words = ""
+        return units
 
     def check(self, point):
         """SweepError if the program does not know the file or an entry: no run could do with it."""
-        text, code = call(["--check", "--fast", self.prm, *self.make_options(point)])
-        cause = find_cause(text, code)
-        if code != 0 and re.search(r"there is no (entry|section)|can't be read|can't be opened", cause):
+        cause = self.find_fault(point)
+        if re.search(r"there is no (entry|section)|can't be read|can't be opened", cause):
             raise SweepError(cause)
+
+    def find_fault(self, point):
+        """Why the program would refuse a run; empty if it would not."""
+        text, code = call(["--check", "--fast", self.prm, *self.make_options(point)])
+        return find_cause(text, code) if code != 0 else ""

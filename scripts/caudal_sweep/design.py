@@ -4,6 +4,7 @@
 import dataclasses
 import hashlib
 import itertools
+import math
 import re
 
 import numpy as np
@@ -20,11 +21,40 @@ class Axis:
 
     entry: str
     values: tuple
+    name: str = ""  # for plots and tables; empty: the entry
+    unit: str = ""
 
     @property
     def label(self):
-        """The last parts of the entry: enough to be understood below a plot."""
-        return "/".join(self.entry.split("/")[-2:])
+        """The name with the unit."""
+        return (self.name or self.entry) + (f" [{self.unit}]" if self.unit else "")
+
+
+def name_axes(axes, units):
+    """The axes with names that are as short as can be, and with their units where these are known."""
+    names = shorten([axis.entry for axis in axes])
+    return [dataclasses.replace(axis, name=names[axis.entry], unit=units.get(axis.entry, ""))
+            for axis in axes]
+
+
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def space_equally(entry, text, parts):
+    """The values of "first:last:number"."""
+    if len(parts) != 3 or not all(map(is_number, parts[:2])) or not re.fullmatch("[0-9]+", parts[2]) \
+            or int(parts[2]) < 1:
+        raise SweepError(f"{entry}: <{text}> are no equally spaced values. Write first:last:number, two "
+                         "numbers and how many values there are in all, such as 1:2:5.")
+    first, last, number = float(parts[0]), float(parts[1]), int(parts[2])
+    if number == 1 and first != last:
+        raise SweepError(f"{entry}: <{text}> is one value, {parts[0]}: the last one, {parts[1]}, would "
+                         "be left out. Write first:last:number with a number of 2 or more.")
+    return [f"{value:.12g}" for value in np.linspace(first, last, number)]
 
 
 def parse_axis(text):
@@ -34,16 +64,9 @@ def parse_axis(text):
     if not entry or not values:
         raise SweepError(f"<{text}> can't be understood. Write \"Section/Entry=first:last:number\" "
                          "or \"Section/Entry=value,value,value\".")
-    if re.fullmatch(r"[^:,|]+:[^:,|]+:[^:,|]+", values):
-        try:
-            first, last, number = values.split(":")
-            spaced = np.linspace(float(first), float(last), int(number))
-        except ValueError:
-            spaced = []
-        if len(spaced) == 0 or not np.all(np.isfinite(spaced)):
-            raise SweepError(f"{entry}: <{values}> are no equally spaced values. Write first:last:"
-                             "number with two numbers and a count of at least 1.")
-        chosen = [f"{value:.12g}" for value in spaced]
+    parts = [part.strip() for part in values.split(":")]
+    if len(parts) > 1 and not re.search("[,|]", values) and (len(parts) == 3 or all(map(is_number, parts))):
+        chosen = space_equally(entry, values, parts)
     else:
         chosen = [value.strip() for value in values.split("|" if "|" in values else ",")]
     if "" in chosen or len(set(chosen)) < len(chosen):

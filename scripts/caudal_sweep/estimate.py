@@ -6,6 +6,8 @@ import re
 import pandas as pd
 
 from .case import call, find_cause
+from .progress import read_duration
+from .records import GOES_ON, KNOWN
 
 
 def describe_time(seconds):
@@ -15,43 +17,60 @@ def describe_time(seconds):
         + f":{total % 60:02d}"
 
 
-def read_time(text):
-    """The seconds of "1:02:03" or "2:03"."""
-    return sum(float(part) * 60**k for k, part in enumerate(reversed(text.split(":"))))
-
-
 def read_check(text):
     """Time [s] at least and at most, disk and memory [MiB] that --check tells; None where it does
     not, as in models whose runs take seconds."""
     time = re.search(r"steps on these cells take about ([\d:]+)(?:, ([\d:]+) on)?", text)
     memory = re.search(r"of wall time each and (\S+) MiB", text)
     disk = re.search(r"Disk: up to (\S+) MiB for fields at \d+ times, (\S+) MiB", text)
-    return {"time": time and read_time(time[1]), "at most": time and read_time(time[2] or time[1]),
+    return {"time": time and read_duration(time[1]), "at most": time and read_duration(time[2] or time[1]),
             "disk [MiB]": disk and float(disk[1]) + float(disk[2]),
             "memory [MiB]": memory and float(memory[1])}
 
 
-def check_jobs(jobs, recall):
-    """The table: a row for each run, with the cause if it can't be made."""
+def read_warnings(text):
+    """What --check finds doubtful."""
+    return re.findall(r"^Warning: (.*)", text, re.MULTILINE)
+
+
+def check_jobs(jobs):
+    """The table: a row for each run, with what is to be done or why it can't be made, its costs, and
+    the warnings. Of a run that goes on only the rest costs time."""
     rows = []
     for job in jobs:
-        if recall(job):
-            rows.append({"run": job.name, "state": f"{job.state}, known", **read_check("")})
+        if job.plan.kind == KNOWN:
+            rows.append({"run": job.name, "state": f"{job.state}, known", **read_check(""),
+                         "warnings": []})
             continue
         text, code = call(["--check", job.case.prm, *job.case.make_options(job.point)])
-        rows.append({"run": job.name, "state": "to be made" if code == 0 else
-                     f"can't be made: {find_cause(text, code)}", **read_check(text)})
-        print(f"[{len(rows)}/{len(jobs)}] {job.name}: {rows[-1]['state']}", flush=True)
+        state = job.plan.describe() if code == 0 else f"can't be made: {find_cause(text, code)}"
+        costs = read_check(text)
+        for name in ("time", "at most"):
+            costs[name] = costs[name] and costs[name] * job.plan.share
+        rows.append({"run": job.name, "state": state, **costs, "warnings": read_warnings(text)})
+        print(f"[{len(rows)}/{len(jobs)}] {job.name}: {state}", flush=True)
     return pd.DataFrame(rows)
+
+
+def list_warnings(table):
+    """The warnings in lines: those of all runs once, then those of each."""
+    found = [(run, words) for run, words, state in zip(table["run"], table["warnings"], table["state"])
+             if not state.endswith("known")]
+    shared = [text for text in found[0][1] if all(text in words for _, words in found)] if found else []
+    lines = [f"Warning, all runs: {text}" for text in shared] if len(found) > 1 else []
+    return lines + [f"Warning, {run}: {text}" for run, words in found for text in words
+                    if text not in shared or len(found) == 1]
 
 
 def describe(table, n_at_once):
     """The sums in words."""
-    wanted = table[table["state"] == "to be made"]
-    told = wanted.dropna(subset=["time"])
     refused = int(table["state"].str.startswith("can't").sum())
-    lines = [f"{len(table)} runs: {len(wanted)} to be made, {n_at_once} at a time, "
-             f"{len(table) - len(wanted) - refused} known already"
+    going_on = int(table["state"].str.startswith(GOES_ON).sum())
+    known = int(table["state"].str.endswith("known").sum())
+    wanted = table[(table["state"] == "to be made") | table["state"].str.startswith(GOES_ON)]
+    told = wanted.dropna(subset=["time"])
+    lines = [f"{len(table)} runs: {len(wanted) - going_on} to be made, {going_on} going on, "
+             f"{n_at_once} at a time, {known} known already"
              + (f", {refused} can't be made" if refused else "") + "."]
     if len(told):
         share = max(told["time"].sum() / n_at_once, told["time"].max())

@@ -12,15 +12,17 @@ from caudal_plots import style
 from caudal_plots.program import PROGRAM, RESULTS
 from caudal_report import page as html
 
-from . import SweepError, design, estimate, jobs, mesh, page, plot, table
+from . import SweepError, design, estimate, figures, jobs, mesh, page, plot, table
 from .case import Case
+from .records import ANEW, GOES_ON, KNOWN, NEW, Records, refuse_others, show_folder
 
 # All of these from one table of phases: one run has them.
 JOINED = re.compile(r"(Body [^/]+/)?Gait/Frequency")
 
 EPILOG = """
 A sweep that is called again makes only what is missing: finished runs are kept, stopped ones go on
-from their checkpoints. Results: sweep.csv (units in the headers), sweep.png, report.html, and
+from their checkpoints. With a longer -D "Time/End time=..." all go on from where they are; other
+settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html, and
 runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs finished; 1 an
 error, or a run failed (the table tells why); 2 stopped on request.
 """
@@ -52,7 +54,8 @@ def parse(arguments):
                         help="plot steady beats only; otherwise others have hollow points")
     parser.add_argument("--retry", action="store_true", help="make failed runs again, too")
     parser.add_argument("--no-pages", action="store_true", help="no page for each run: faster")
-    parser.add_argument("--dry-run", action="store_true", help="only tell the runs and their costs")
+    parser.add_argument("--dry-run", action="store_true", help="only tell the runs, their "
+                        "costs and what is doubtful; write nothing")
     options = parser.parse_args(arguments)
     for name in ("jobs", "ranks"):
         if getattr(options, name) is not None and getattr(options, name) < 1:
@@ -60,6 +63,7 @@ def parse(arguments):
     if bool(options.axes) + bool(options.list) + options.mesh != 1:
         raise SweepError("Give either entries with values, or --list, or --mesh: see scripts/sweep "
                          "--help.")
+    options.wanted = tuple(name.strip() for name in (options.figures or "").split(",") if name.strip())
     if options.grids and not options.mesh:
         raise SweepError("--grids belongs to --mesh. Give both, or neither.")
     return options
@@ -80,11 +84,12 @@ def make_design(case, options):
 def write(case, options, axes, runs, joined, spacings, folder, arguments):
     """Table, plots and pages; what went wrong with pages."""
     entries = list(dict.fromkeys([*(axis.entry for axis in axes), *runs[0].point]))
-    wanted = tuple(name.strip() for name in (options.figures or "").split(",") if name.strip())
-    results = table.make_table(runs, entries, case.model, wanted, joined)
+    results = table.make_table(runs, entries, case.model, options.wanted, joined)
     table.write(results, folder / "sweep.csv")
     print(folder / "sweep.csv")
-    troubles = [] if options.no_pages else page.make_run_pages(runs, case.model)
+    unknown = table.find_unknown(runs, case.model, options.wanted)
+    troubles = [figures.describe_unknown(unknown)] if unknown else []
+    troubles += [] if options.no_pages else page.make_run_pages(runs, case.model)
     command = shlex.join(["scripts/sweep", *arguments])
     if spacings:
         study = mesh.Study(axes[0], spacings, results, entries, case.model)
@@ -98,7 +103,8 @@ def write(case, options, axes, runs, joined, spacings, folder, arguments):
         figure.savefig(folder / "sweep.png")
         print(folder / "sweep.png")
     else:
-        print("No plot: no figure has a point over an entry with several values.")
+        print("No plot: no figure has a point over an entry with several values."
+              if any(job.state == "finished" for job in runs) else "No plot: no run is finished yet.")
         (folder / "sweep.png").unlink(missing_ok=True)  # of an earlier call
     report = page.describe(case, axes, entries, runs, results, figure, folder)
     if study:
@@ -121,20 +127,55 @@ def work(arguments):
     else:
         axes, points, joined = make_design(case, options)
     case.check(points[0])
+    axes = design.name_axes(axes, case.read_units())
     kind = "mesh" if options.mesh else "sweep"
     folder = (options.folder or RESULTS / f"{kind}_{case.name}").resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    records = jobs.Records(folder)
     runs = jobs.make_jobs(case, points, folder)
-    runner = jobs.Runner(records, options.ranks, options.jobs, options.retry)
+    runner = jobs.Runner(Records(folder, is_read_only=True), options.ranks, options.jobs, options.retry)
+    runner.make_plans(runs)
+    refuse_others([job.plan for job in runs], folder)
+    if unknown := table.find_unknown(runs, case.model, options.wanted):
+        raise SweepError(figures.describe_unknown(unknown) + " No run was started.")
     if options.dry_run:
-        costs = estimate.check_jobs(runs, runner.recall)
-        print(*estimate.describe(costs, runner.n_at_once), sep="\n")
-        return 1 if costs["state"].str.startswith("can't").any() else 0
-    has_ended = runner.run(runs)
+        return tell_costs(runs, runner.n_at_once, options.mesh)
+    runner.check_values(runs)
+    runner.records = Records(folder)  # from here on the folder is ours
+    runner.make_plans(runs)
+    print(*describe_plans(runs, runner.n_at_once, folder), sep="\n", flush=True)
+    has_ended = runner.run(runs, lambda job: warn_of_figures(job, options.wanted))
     style.apply()
     troubles = write(case, options, axes, runs, joined, spacings, folder, arguments)
     return finish(runner, runs, troubles, has_ended)
+
+
+def warn_of_figures(job, wanted):
+    """Tells, once a run has finished, of names of figures that it does not have: others go on, as
+    their results are not in vain."""
+    unknown = table.find_unknown([job], job.case.model, wanted)
+    if unknown:
+        print(figures.describe_unknown(unknown) + " The table is written without; called again with "
+              "other --figures, nothing is run twice.", file=sys.stderr, flush=True)
+
+
+def tell_costs(runs, n_at_once, is_mesh):
+    """--dry-run: what would be made, at which costs, and what is doubtful; the exit code."""
+    costs = estimate.check_jobs(runs)
+    print(*estimate.list_warnings(costs), *estimate.describe(costs, n_at_once), sep="\n")
+    if is_mesh:
+        print(mesh.STEP_STAYS)
+    return 1 if costs["state"].str.startswith("can't").any() else 0
+
+
+def describe_plans(runs, n_at_once, folder):
+    """What will be done, in lines."""
+    kinds = [job.plan.kind for job in runs]
+    counts = {"to be made": sum(kind in (NEW, ANEW) for kind in kinds),
+              "going on": kinds.count(GOES_ON), "known already": kinds.count(KNOWN)}
+    n_missing = len(runs) - counts["known already"]
+    told = ", ".join(f"{count} {word}" for word, count in counts.items() if count)
+    at_once = f", {min(n_at_once, n_missing)} at a time" if n_missing else ""
+    return [f"{len(runs)} runs in {show_folder(folder)}: {told}{at_once}."] + \
+        [f"{job.name}: {job.plan.describe()}" for job in runs if job.plan.kind == GOES_ON]
 
 
 def finish(runner, runs, troubles, has_ended):

@@ -27,6 +27,7 @@ DEFAULT = {"immersed": "-2,-1,0", "potential": "1,2,4", "elastic": "-1,0,1"}
 SAFETY = 1.25       # of the index where there is an order
 LARGE_SAFETY = 3.   # where there is none
 HIGHEST_ORDER = 2.  # that is believed in: of the walls of bodies and outlines
+STEP_STAYS = "The time step is the same on all grids: its error is not in the error bars."
 LEAST_ORDER = 0.5   # below it the grids are not in the range of convergence
 
 
@@ -150,6 +151,7 @@ class Study:
         """A row for each figure of each body or frequency; none if a grid is missing."""
         records = []
         done = table[table[STATE] == "finished"]
+        short = "/".join(axis.entry.split("/")[-2:])
         key = LABELS.get(model)
         has_labels = key in table and done[key].nunique() > 1
         for value, rows in done.groupby(key, sort=False) if has_labels else [("", done)]:
@@ -164,7 +166,7 @@ class Study:
                 scale = abs(values[-1])
                 records.append({
                     "figure": name, "of": label,
-                    **{f"{axis.label} = {grid}": value for grid, value in zip(axis.values, values)},
+                    **{f"{short} = {grid}": value for grid, value in zip(axis.values, values)},
                     "observed order": order, "extrapolated": limit, "error bar": bar,
                     "convergence index [%]": 100 * bar / scale if bar is not None and scale else None,
                     "remark": "; ".join(filter(None, (remark, unsteady)))})
@@ -235,5 +237,4 @@ class Study:
         report.add("Grid convergence", tiles + page.make_table(
             list(self.table), rows, left=words) + page.make_note(
             f"Error bar: Roache's convergence index with the factor of safety {SAFETY:g} and an order "
-            f"of at most {HIGHEST_ORDER:g}; it is that of the finest grid. The time step is the same on "
-            "all grids: its error is not in it."))
+            f"of at most {HIGHEST_ORDER:g}; it is that of the finest grid. {STEP_STAYS}"))

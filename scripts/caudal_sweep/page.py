@@ -11,6 +11,7 @@ import pandas as pd
 from caudal_report import page
 from caudal_report.common import draw_picture
 
+from .design import shorten
 from .table import REMARK, RUN, STATE, get_figures
 
 
@@ -45,14 +46,16 @@ def make_link(job, folder, text):
         urllib.parse.quote(os.path.relpath(target, folder)), text)
 
 
-def make_results(table, entries, model, links):
-    """The table of finished runs; headers have the units small."""
+def make_results(table, axes, entries, model, links):
+    """The table of finished runs; headers are short and have the units small."""
+    labels = {**shorten(entries), **{axis.entry: axis.label for axis in axes}}
     done = table[table[STATE] == "finished"]
     shown = [name for name in table if name not in (STATE,)]
     header = []
     for name in shown:
-        words, _, unit = name.partition(" [")
-        header.append(page.escape(words) + (" " + page.make_element("small", f"[{unit}") if unit else ""))
+        words, _, unit = labels.get(name, name).partition(" [")
+        header.append(page.escape(words) + (page.Html("<br>") + page.make_element("small", f"[{unit}")
+                                            if unit else ""))
     figures = get_figures(table, entries, model)
     rows = [[links[row[RUN]] if name == RUN else
              page.format_number(row[name]) if name in figures else
@@ -71,16 +74,17 @@ def describe(case, axes, entries, jobs, table, figure, folder):
     report = page.Page(f"Caudal: sweep of {case.name}",
                        f"{len(jobs)} runs of the model {case.model}: {summary}.")
     links = {job.name: make_link(job, folder, str(number)) for number, job in enumerate(jobs, 1)}
-    varied = page.make_table(("entry", "values"), [(axis.entry, "; ".join(axis.values))
-                                                   for axis in axes], left=(0, 1))
+    varied = page.make_table(
+        ("entry", "values"), [(axis.entry + (f" [{axis.unit}]" if axis.unit else ""),
+                               "; ".join(axis.values)) for axis in axes], left=(0, 1))
     if case.overrides:
         varied += page.make_note("In all runs: " + "; ".join(case.overrides))
     report.add("What was varied", varied)
     unsteady = page.make_note("Of swimming bodies: means of the steady beats; without any, the last "
                               "beat.") if case.model == "immersed" else page.Html()
-    report.add("Results", make_results(table, entries, case.model, links) + unsteady)
+    report.add("Results", make_results(table, axes, entries, case.model, links) + unsteady)
     if figure is not None:
-        report.add("Plots", draw_picture(report, lambda: figure, "The figures over " + axes[0].entry))
+        report.add("Plots", draw_picture(report, lambda: figure, "The figures over " + axes[0].label))
     missing = [job for job in jobs if job.state != "finished"]
     if missing:
         report.add("Runs without results", page.make_table(

@@ -2,6 +2,7 @@
 """Plots of a sweep: each figure over one entry, a curve for each value of the others."""
 
 import math
+import re
 
 import matplotlib
 import numpy as np
@@ -27,14 +28,23 @@ def find_curves(table, axis, model):
         keys.append(label)
     if not keys:
         return [("", table)]
-    shown = {entry.entry: entry.entry.split("/")[-1] for entry in names}
+    shown = {entry.entry: (entry.name or entry.entry, entry.unit) for entry in names}
 
     def name(values):
         values = values if len(keys) > 1 else (values,)
-        return ", ".join(f"{shown[key]} {value}" if key in shown else name_label(key, value)
+        return ", ".join(" ".join([shown[key][0], value, shown[key][1]]).strip() if key in shown
+                         else name_label(key, value)
                          for key, value in zip(keys, values))
 
     return [(name(values), rows) for values, rows in table.groupby(keys[0] if len(keys) == 1 else keys, sort=False)]
+
+
+def split_curve(label):
+    """("name [unit]", number as text) of a curve's label "name number unit"."""
+    match = re.fullmatch(r"(?:(.*) )?([-+.\deE]+)(?: (\D.*))?", label)
+    if not match:
+        return label, ""
+    return (match[1] or "") + (f" [{match[3]}]" if match[3] else ""), match[2]
 
 
 def set_limits(panel, name, values):
@@ -63,7 +73,7 @@ def choose_colours(curves):
     """Colours of the curves, and their scale if they are many and told apart by a number."""
     if len(curves) <= len(style.LINES):
         return style.LINES, None
-    numbers = read_numbers([label.rpartition(" ")[2] for label, _ in curves])
+    numbers = read_numbers([split_curve(label)[1] for label, _ in curves])
     if numbers is None:
         numbers = np.arange(len(curves))
     scale = matplotlib.cm.ScalarMappable(
@@ -74,7 +84,7 @@ def choose_colours(curves):
 def place_legend(figure, panels, curves, scale):
     """Below all panels, or a scale of colours beside them."""
     if scale is not None:
-        figure.colorbar(scale, ax=panels, label=curves[0][0].rpartition(" ")[0], aspect=40)
+        figure.colorbar(scale, ax=panels, label=split_curve(curves[0][0])[0], aspect=40)
     elif len(curves) > 1:
         lines = math.ceil(len(curves) / LEGEND_COLUMNS)
         room = (0.22 * lines + 0.05) / figure.get_figheight()
@@ -121,6 +131,8 @@ def draw(table, axes, entries, model, steady_only=False):
         set_limits(panel, name, done[name].to_numpy(float))
         panel.set_ylabel(f"{get_name(name)}\n{name.removeprefix(get_name(name)).strip()}".strip())
         panel.set_xlabel(first.label, loc="left")  # at the right a power of ten may stand
+        if positions is not None and np.all(positions == np.round(positions)):
+            panel.xaxis.get_major_locator().set_params(integer=True)
         if positions is None:
             panel.set_xticks(range(len(first.values)), first.values)
     for panel in panels.flat[len(names):]:

@@ -17,6 +17,17 @@ def get_figures(table, entries, model):
     return [name for name in table if name not in others]
 
 
+def find_unknown(jobs, model, wanted):
+    """The names of figures that no finished run has, {name: names that there are}."""
+    missing = []
+    for job in jobs:
+        if job.state == "finished" and wanted:
+            missing.append({})
+            read_rows(job.folder, model, wanted, missing[-1])
+    return {name: known for name, known in (missing or [{}])[0].items()
+            if all(name in others for others in missing)}
+
+
 def make_table(jobs, entries, model, wanted, joined=None):
     """The table. Of runs that failed or did not come to their end there is the cause. An entry that
     is @p joined takes all of its values in one run: each row of that has one of them."""

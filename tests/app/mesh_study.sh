@@ -8,7 +8,7 @@ write_salmon
 sweep() {
   code=0
   "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" >printed 2>&1 || code=$?
-  grep -v "^$PWD/\|^\[" printed | sed 's/^\([^ ]\)/  \1/'
+  grep -v "^$PWD/\|^\[\|=.*: finished" printed | sed 's/^\([^ ]\)/  \1/'
   echo "  exit code $code"
 }
 
@@ -36,5 +36,8 @@ sweep disc.prm --mesh --grids=-1,0,1 --folder disc --figures "kinetic energy,ite
 # The grid of a fluid without a body and without refinement is the coarsest one.
 sweep fluid.prm --mesh --grids=-1,0,1 --folder fluid --no-pages --figures "kinetic energy" \
   -D "Refinement/Vorticity threshold=0" -D "Time/End time=0.05" -D "Time/Adaptive=false"
+# What is doubtful of each grid is known before it is run.
+sweep disc.prm --mesh --grids=-1,0,1 --folder dry --dry-run -D "Time/End time=0.05" -D "Body disc/Shape/Elements=6,4" |
+  grep -v "Time: about" | cut -c 1-110
 head -n 1 disc/mesh.csv
 grep -c "Grid convergence" disc/report.html

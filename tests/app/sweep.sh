@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # scripts/sweep: all combinations, or a list; nothing twice; a run that fails is told and the others
-# go on; what was stopped goes on; other parameters leave older results where they are; grids.
+# go on; what was stopped goes on, and what is to swim longer; other settings and bad values are
+# refused before any run.
 . "$CAUDAL_SOURCE_DIR/tests/functions.sh"
 write_eel
 write_fluid_and_disc
@@ -10,7 +11,8 @@ write_salmon
 sweep() {
   code=0
   "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" >printed 2>&1 || code=$?
-  grep -v "^$PWD/" printed | sed 's/^\[[0-9/]*\]/ /; s/^\([^ ]\)/  \1/; s/Caudal [0-9].*/VERSION/' | LC_ALL=C sort
+  grep -v "^$PWD/" printed | sed 's/^\[[0-9/]*\]/ /; s/ ([0-9]* of [0-9]*)//; s/, [0-9]* at a time//
+    s/^\([^ ]\)/  \1/; s/Caudal [0-9].*/VERSION/' | LC_ALL=C sort
   echo "  exit code $code"
 }
 
@@ -42,12 +44,18 @@ for page in $(grep -o 'href="runs[^"]*' both/report.html | sed 's/href="//; s/%2
 done
 
 echo "* one of two fails; it is made again only if that is asked for"
-sweep salmon.prm "Surface/Cells along=1,0" --folder fails --no-pages
-sweep salmon.prm "Surface/Cells along=1,0" --folder fails --no-pages
-sweep salmon.prm "Surface/Cells along=1,0" --folder fails --no-pages --retry | grep "0: failed"
+mkdir -p "fails/runs/Cells_along=2/results"
+echo "not of a run" >"fails/runs/Cells_along=2/results/notes"
+sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
+sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
+sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages --retry | grep "2: failed"
 /usr/bin/python3 -c 'import pandas
 print(pandas.read_csv("fails/sweep.csv")[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())' |
-  cut -c 1-110
+  cut -c 1-60
+
+echo "* a value that the program refuses"
+sweep salmon.prm "Surface/Cells along=1,0" --folder refused
+[ ! -e refused ] || ls refused
 
 echo "* a fish whose beats are not steady, and one that has made none"
 sweep eel.prm "Time/End time=0.8|0.1" --folder beats --no-pages --figures speed
@@ -64,10 +72,17 @@ Body fish/Gait/Wave number, Time/End time
 END
 sweep salmon.prm --list list.csv --folder listed --no-pages --figures "duration"
 table listed/sweep.csv
-# The case has changed: older results stay beside the new ones.
+# The case has changed.
 sed 's/First part = 0/First part = 0.1/' salmon.prm >changed.prm
 sweep changed.prm --list list.csv --folder listed --no-pages --figures "duration"
+# Said in other words it is the same.
+sweep salmon.prm --list list.csv --folder listed --no-pages --figures "duration" -D "Time/First part=0.0"
 ls -d listed/runs/*/results*
+
+echo "* a figure that there is not: told, and known runs are not made again"
+sweep salmon.prm "Body fish/Gait/Wave number=1,1.2" --folder glee --no-pages --figures "speed,glee" | cut -c 1-80
+head -n 1 glee/sweep.csv
+sweep salmon.prm "Body fish/Gait/Wave number=1,1.2,1.4" --folder glee --figures "glee" | cut -c 1-80
 
 echo "* stopped, and gone on, as if it had not been"
 set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=3" --jobs 1 \
@@ -81,18 +96,54 @@ done
 kill -TERM $!
 code=0
 wait $! || code=$?
-grep -v "^$PWD/" printed | sed 's/^/  /'
+grep -v "^$PWD/" printed | sed 's/^/  /; s/, [0-9]* at a time//'
 echo "  exit code $code"
-sweep "$@" --folder stopped
+# Other settings leave it as it is, and so does a dry run.
+find stopped -type f -exec md5sum {} + | sort >before
+sweep "$@" --folder stopped -D "Time/End time=2"
+sweep "$@" --folder stopped -D "Time/End time=2" --dry-run
+sweep "$@" --folder stopped --dry-run | grep "goes on\|runs:" | sed 's/from [0-9.]*/from TIME/'
+find stopped -type f -exec md5sum {} + | sort | cmp before - && echo "  untouched"
+sweep "$@" --folder stopped | sed 's/from [0-9.]*/from TIME/'
 for run in straight/runs/*/results; do
   cmp "$run/statistics.txt" "stopped/${run#straight/}/statistics.txt" && echo "  the same"
 done
 cat stopped/runs/*/results/log.txt | grep -c "^Resumed from"
 table stopped/sweep.csv
 
+echo "* longer"
+sweep "$@" --folder stopped -D "Time/End time=3.05"
+for run in stopped/runs/*/results; do
+  last time "$run/statistics.txt"
+done
+ls -d stopped/runs/*/results*
+
+echo "* how far runs are"
+/usr/bin/python3 - <<'END'
+import os
+import pathlib
+import sys
+import time
+
+sys.path.insert(0, os.environ["CAUDAL_SOURCE_DIR"] + "/scripts")
+import caudal_setup  # noqa: F401
+from caudal_sweep import progress
+
+line = "t = {} of 4.00 s   45.0 %  step 720  2.08 steps/s  {} left  dt 0.0025 s, 2891 cells\n"
+pathlib.Path("one.txt").write_text(line.format("0.2", "9:00") + line.format("1.80", "10:00"))
+pathlib.Path("two.txt").write_text(line.format("2.04", "1:10:00"))
+pathlib.Path("mute.txt").write_text("Caudal\n")
+now = time.time()
+print(" ", progress.describe(["one.txt"], [now - 600], 0, [], 2))
+print(" ", progress.describe(["one.txt", "two.txt"], [now - 600, now - 4200], 0, [], 2))
+print(" ", progress.describe(["one.txt", "mute.txt"], [now - 600, now], 2, [], 2))
+print(" ", progress.describe(["mute.txt", "none.txt"], [now, now], 1, [], 2))
+END
+
 echo "* what it would cost"
 sweep eel.prm "Body eel/Gait damping=1e4,2e4,-1" --folder dry --dry-run |
   sed 's/about [0-9:]* /about TIME /; s/about [0-9]* MiB/about MEMORY/; s/up to [0-9.]* MiB/up to SOME MiB/'
+[ ! -e dry ] || ls dry
 
 echo "* what can't be done"
 printf 'Time/Step\n0.1,0.2\n' >short.csv
@@ -106,7 +157,8 @@ from caudal_sweep.main import main
 
 for arguments in (
         ["nothing.prm", "Time/Step=1,2"], ["salmon.prm"], ["salmon.prm", "Time/Step"],
-        ["salmon.prm", "Time/Step=1:2:x"], ["salmon.prm", "Time/Step=1,1"],
+        ["salmon.prm", "Time/Step=1:2:x"], ["salmon.prm", "Time/Step=1:2"],
+        ["salmon.prm", "Time/Step=2:1:1"], ["salmon.prm", "Time/Step=1,1"],
         ["salmon.prm", "Time/Stop=1,2"], ["salmon.prm", "Time/Step=0.1", "Time/Step=0.3"],
         ["salmon.prm", "Time/Step=0.1,0.2", "--jobs", "0"], ["salmon.prm", "--mesh", "--grids", "3,2,1"],
         ["salmon.prm", "Time/Step=1,2", "--grids", "1,2,3"], ["eel.prm", "--mesh"],
