@@ -158,3 +158,14 @@ def evaluate_settling_sphere(free_fall, low, high):
                        f"at {run.time[speed.argmax()]:.3g} s of {run.time[-1]:.3g} s"),
                 Figure("lowest centre [m]", run.get("sphere: z of centre of mass").min())]
     return evaluate
+
+
+def evaluate_elastic_plate(runs):
+    """The force on half of it, and how far a point moves downstream, when both are steady."""
+    run = runs[0]
+    force = 0.5 * run.get("plate: force x of the fluid")
+    shift = run.get("plate: x of point 1") - 0.45
+    late = run.time >= 0.8 * run.time[-1]
+    note = f"it changes by {np.ptp(force[late]):.1e} N in the last {0.2 * run.time[-1]:.3g} s"
+    return [Figure("force on half of the plate [N]", force[-1], 1.327, 0.03, note),
+            Figure("ux of the point [m]", shift[-1], 5.924e-5, 0.03)]
