@@ -69,8 +69,9 @@ def describe(table, n_at_once):
     known = int(table["state"].str.endswith("known").sum())
     wanted = table[(table["state"] == "to be made") | table["state"].str.startswith(GOES_ON)]
     told = wanted.dropna(subset=["time"])
-    lines = [f"{len(table)} runs: {len(wanted) - going_on} to be made, {going_on} going on, "
-             f"{n_at_once} at a time, {known} known already"
+    lines = [f"{len(table)} runs: {len(wanted) - going_on} to be made, "
+             + (f"{going_on} going on, " if going_on else "")
+             + f"{n_at_once} at a time, {known} known already"
              + (f", {refused} can't be made" if refused else "") + "."]
     if len(told):
         share = max(told["time"].sum() / n_at_once, told["time"].max())

@@ -22,9 +22,9 @@ JOINED = re.compile(r"(Body [^/]+/)?Gait/Frequency")
 EPILOG = """
 A sweep that is called again makes only what is missing: finished runs are kept, stopped ones go on
 from their checkpoints. With a longer -D "Time/End time=..." all go on from where they are; other
-settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html, and
-runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs finished; 1 an
-error, or a run failed (the table tells why); 2 stopped on request.
+settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html,
+and runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs
+finished; 1 an error, or a run failed (the table tells why); 2 stopped on request.
 """
 
 
@@ -200,6 +200,9 @@ def main(arguments):
         return work(arguments)
     except SweepError as error:
         print(f"scripts/sweep: {error}", file=sys.stderr)
+    except KeyboardInterrupt:  # not while runs are made: these stop with checkpoints
+        print("Stopped: the same command goes on.", file=sys.stderr)
+        return jobs.STOPPED
     except OSError as error:
         print(f"scripts/sweep: {error.filename}: {os.strerror(error.errno)}.", file=sys.stderr)
     return 1

@@ -41,11 +41,11 @@ def estimate_rest(running, n_waiting, ended, n_at_once):
     seconds since the start) of each; @p ended: the seconds that others took."""
     left = [rest for rest, _ in running if rest is not None]
     lengths = [rest + past for rest, past in running if rest is not None] + list(ended)
-    if not lengths:
-        return None
-    mean = sum(lengths) / len(lengths)
+    mean = sum(lengths) / max(len(lengths), 1)
+    if any(rest is None and past >= mean for rest, past in running) or not lengths:
+        return None  # others were shorter than this one is already
     left += [max(mean - past, 0.) for rest, past in running if rest is None]
-    return max([sum(left) + mean * n_waiting, 0.]) / n_at_once if n_waiting else max(left, default=0.)
+    return (sum(left) + mean * n_waiting) / n_at_once if n_waiting else max(left, default=0.)
 
 
 def describe(printed, starts, n_waiting, ended, n_at_once):

@@ -11,7 +11,7 @@ write_salmon
 sweep() {
   code=0
   "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" >printed 2>&1 || code=$?
-  grep -v "^$PWD/" printed | sed 's/^\[[0-9/]*\]/ /; s/ ([0-9]* of [0-9]*)//; s/, [0-9]* at a time//
+  grep -v "^$PWD/\|^[0-9]* running: " printed | sed "s|$PWD/||g"'; s/^\[[0-9/]*\]/ /; s/ ([0-9]* of [0-9]*)//; s/, [0-9]* at a time//
     s/^\([^ ]\)/  \1/; s/Caudal [0-9].*/VERSION/' | LC_ALL=C sort
   echo "  exit code $code"
 }
@@ -50,8 +50,9 @@ sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages --retry | grep "2: failed"
 /usr/bin/python3 -c 'import pandas
-print(pandas.read_csv("fails/sweep.csv")[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())' |
-  cut -c 1-60
+table = pandas.read_csv("fails/sweep.csv")
+table["remark"] = table["remark"].str[:13]
+print(table[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())'
 
 echo "* a value that the program refuses"
 sweep salmon.prm "Surface/Cells along=1,0" --folder refused
@@ -96,7 +97,7 @@ done
 kill -TERM $!
 code=0
 wait $! || code=$?
-grep -v "^$PWD/" printed | sed 's/^/  /; s/, [0-9]* at a time//'
+grep -v "^$PWD/\|^[0-9]* running: " printed | sed 's/^/  /; s/, [0-9]* at a time//'
 echo "  exit code $code"
 # Other settings leave it as it is, and so does a dry run.
 find stopped -type f -exec md5sum {} + | sort >before
