@@ -86,7 +86,7 @@ head -n 1 glee/sweep.csv
 sweep salmon.prm "Body fish/Gait/Wave number=1,1.2,1.4" --folder glee --figures "glee" | cut -c 1-80
 
 echo "* stopped, and gone on, as if it had not been"
-set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=3" --jobs 1 \
+set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=1" --jobs 1 \
   --figures "kinetic energy,least of disc: min J"
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder straight >/dev/null
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder stopped >printed 2>&1 &
@@ -101,8 +101,8 @@ grep -v "^$PWD/\|^[0-9]* running: " printed | sed 's/^/  /; s/, [0-9]* at a time
 echo "  exit code $code"
 # Other settings leave it as it is, and so does a dry run.
 find stopped -type f -exec md5sum {} + | sort >before
-sweep "$@" --folder stopped -D "Time/End time=2"
-sweep "$@" --folder stopped -D "Time/End time=2" --dry-run
+sweep "$@" --folder stopped -D "Time/End time=0.9"
+sweep "$@" --folder stopped -D "Time/End time=0.9" --dry-run
 sweep "$@" --folder stopped --dry-run | grep "goes on\|runs:" | sed 's/from [0-9.]*/from TIME/'
 find stopped -type f -exec md5sum {} + | sort | cmp before - && echo "  untouched"
 sweep "$@" --folder stopped | sed 's/from [0-9.]*/from TIME/'
@@ -113,7 +113,7 @@ cat stopped/runs/*/results/log.txt | grep -c "^Resumed from"
 table stopped/sweep.csv
 
 echo "* longer"
-sweep "$@" --folder stopped -D "Time/End time=3.05"
+sweep "$@" --folder stopped -D "Time/End time=1.05"
 for run in stopped/runs/*/results; do
   last time "$run/statistics.txt"
 done
