@@ -55,7 +55,7 @@ def check_jobs(jobs):
 def list_warnings(table):
     """The warnings in lines: those of all runs once, then those of each."""
     found = [(run, words) for run, words, state in zip(table["run"], table["warnings"], table["state"])
-             if not state.endswith("known")]
+             if not state.endswith("known") and not state.startswith("can't")]
     shared = [text for text in found[0][1] if all(text in words for _, words in found)] if found else []
     lines = [f"Warning, all runs: {text}" for text in shared] if len(found) > 1 else []
     return lines + [f"Warning, {run}: {text}" for run, words in found for text in words

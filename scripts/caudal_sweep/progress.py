@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the runs of a sweep have come, from what they print."""
 
+import pathlib
 import re
 import time
 
@@ -15,6 +16,7 @@ def read_duration(text):
 
 def read_printed(path):
     """(share of the simulated time, seconds left) of the last line that tells them; (None, None)."""
+    path = pathlib.Path(path)
     try:
         with open(path, "rb") as file:
             file.seek(max(path.stat().st_size - TAIL, 0))

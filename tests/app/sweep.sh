@@ -103,7 +103,7 @@ echo "  exit code $code"
 find stopped -type f -exec md5sum {} + | sort >before
 sweep "$@" --folder stopped -D "Time/End time=0.9"
 sweep "$@" --folder stopped -D "Time/End time=0.9" --dry-run
-sweep "$@" --folder stopped --dry-run | grep "goes on\|runs:" | sed 's/from [0-9.]*/from TIME/'
+sweep "$@" --folder stopped --dry-run | grep "goes on\|^  2 runs:" | sed 's/from [0-9.]*/from TIME/'
 find stopped -type f -exec md5sum {} + | sort | cmp before - && echo "  untouched"
 sweep "$@" --folder stopped | sed 's/from [0-9.]*/from TIME/'
 for run in straight/runs/*/results; do
@@ -143,7 +143,8 @@ END
 
 echo "* what it would cost"
 sweep eel.prm "Body eel/Gait damping=1e4,2e4,-1" --folder dry --dry-run |
-  sed 's/about [0-9:]* /about TIME /; s/about [0-9]* MiB/about MEMORY/; s/up to [0-9.]* MiB/up to SOME MiB/'
+  sed 's/about [0-9:]* /about TIME /; s/about [0-9]* MiB/about MEMORY/; s/up to [0-9.]* MiB/up to SOME MiB/' |
+  cut -c 1-100
 [ ! -e dry ] || ls dry
 
 echo "* what can't be done"
