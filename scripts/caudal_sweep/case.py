@@ -24,12 +24,17 @@ def call(arguments, **options):
     return result.stdout, result.returncode
 
 
+def find_error(text):
+    """The program's error, which stands at the start of a line, as MPI's don't; None without one."""
+    return next((line.removeprefix("Error: ").strip() for line in text.splitlines()
+                 if line.startswith("Error: ")), None)
+
+
 def find_cause(text, code):
     """Why a run failed, in a sentence: its error or, without one, how it ended."""
+    if error := find_error(text):
+        return error
     lines = [line.strip() for line in text.splitlines() if line.strip()]
-    for line in lines:
-        if line.startswith("Error: "):
-            return line.removeprefix("Error: ")
     if code < 0:
         return f"killed by signal {-code}"
     return f"exit code {code}" + (f": {lines[-1]}" if lines else ", and it said nothing")
@@ -118,6 +123,7 @@ class Case:
             raise SweepError(cause)
 
     def find_fault(self, point):
-        """Why the program would refuse a run; empty if it would not."""
+        """Why the program would refuse a run; empty if it would not. That it could not be started, as
+        MPI's folders may be lacking for a moment, says nothing of the run."""
         text, code = call(["--check", "--fast", self.prm, *self.make_options(point)])
-        return find_cause(text, code) if code != 0 else ""
+        return find_cause(text, code) if code != 0 and find_error(text) else ""

@@ -55,7 +55,7 @@ def check_jobs(jobs):
 def list_warnings(table):
     """The warnings in lines: those of all runs once, then those of each."""
     found = [(run, words) for run, words, state in zip(table["run"], table["warnings"], table["state"])
-             if not state.endswith("known")]
+             if not state.endswith("known") and not state.startswith("can't")]
     shared = [text for text in found[0][1] if all(text in words for _, words in found)] if found else []
     lines = [f"Warning, all runs: {text}" for text in shared] if len(found) > 1 else []
     return lines + [f"Warning, {run}: {text}" for run, words in found for text in words
@@ -69,8 +69,9 @@ def describe(table, n_at_once):
     known = int(table["state"].str.endswith("known").sum())
     wanted = table[(table["state"] == "to be made") | table["state"].str.startswith(GOES_ON)]
     told = wanted.dropna(subset=["time"])
-    lines = [f"{len(table)} runs: {len(wanted) - going_on} to be made, {going_on} going on, "
-             f"{n_at_once} at a time, {known} known already"
+    lines = [f"{len(table)} runs: {len(wanted) - going_on} to be made, "
+             + (f"{going_on} going on, " if going_on else "")
+             + f"{n_at_once} at a time, {known} known already"
              + (f", {refused} can't be made" if refused else "") + "."]
     if len(told):
         share = max(told["time"].sum() / n_at_once, told["time"].max())

@@ -22,9 +22,9 @@ JOINED = re.compile(r"(Body [^/]+/)?Gait/Frequency")
 EPILOG = """
 A sweep that is called again makes only what is missing: finished runs are kept, stopped ones go on
 from their checkpoints. With a longer -D "Time/End time=..." all go on from where they are; other
-settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html, and
-runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs finished; 1 an
-error, or a run failed (the table tells why); 2 stopped on request.
+settings need another --folder. Results: sweep.csv (units in the headers), sweep.png, report.html,
+and runs/<name>/results with what the run printed in runs/<name>/results.txt. Exit codes: 0 all runs
+finished; 1 an error, or a run failed (the table tells why); 2 stopped on request.
 """
 
 
@@ -126,14 +126,14 @@ def work(arguments):
         axes = [axis]
     else:
         axes, points, joined = make_design(case, options)
-    case.check(points[0])
-    axes = design.name_axes(axes, case.read_units())
     kind = "mesh" if options.mesh else "sweep"
     folder = (options.folder or RESULTS / f"{kind}_{case.name}").resolve()
     runs = jobs.make_jobs(case, points, folder)
     runner = jobs.Runner(Records(folder, is_read_only=True), options.ranks, options.jobs, options.retry)
     runner.make_plans(runs)
     refuse_others([job.plan for job in runs], folder)
+    if any(job.plan.kind != KNOWN for job in runs):
+        case.check(points[0])
     if unknown := table.find_unknown(runs, case.model, options.wanted):
         raise SweepError(figures.describe_unknown(unknown) + " No run was started.")
     if options.dry_run:
@@ -144,6 +144,7 @@ def work(arguments):
     print(*describe_plans(runs, runner.n_at_once, folder), sep="\n", flush=True)
     has_ended = runner.run(runs, lambda job: warn_of_figures(job, options.wanted))
     style.apply()
+    axes = design.name_axes(axes, case.read_units())
     troubles = write(case, options, axes, runs, joined, spacings, folder, arguments)
     return finish(runner, runs, troubles, has_ended)
 
@@ -200,6 +201,9 @@ def main(arguments):
         return work(arguments)
     except SweepError as error:
         print(f"scripts/sweep: {error}", file=sys.stderr)
+    except KeyboardInterrupt:  # not while runs are made: these stop with checkpoints
+        print("Stopped: the same command goes on.", file=sys.stderr)
+        return jobs.STOPPED
     except OSError as error:
         print(f"scripts/sweep: {error.filename}: {os.strerror(error.errno)}.", file=sys.stderr)
     return 1

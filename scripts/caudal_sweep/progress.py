@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the runs of a sweep have come, from what they print."""
 
+import pathlib
 import re
 import time
 
@@ -15,6 +16,7 @@ def read_duration(text):
 
 def read_printed(path):
     """(share of the simulated time, seconds left) of the last line that tells them; (None, None)."""
+    path = pathlib.Path(path)
     try:
         with open(path, "rb") as file:
             file.seek(max(path.stat().st_size - TAIL, 0))
@@ -41,11 +43,11 @@ def estimate_rest(running, n_waiting, ended, n_at_once):
     seconds since the start) of each; @p ended: the seconds that others took."""
     left = [rest for rest, _ in running if rest is not None]
     lengths = [rest + past for rest, past in running if rest is not None] + list(ended)
-    if not lengths:
-        return None
-    mean = sum(lengths) / len(lengths)
+    mean = sum(lengths) / max(len(lengths), 1)
+    if any(rest is None and past >= mean for rest, past in running) or not lengths:
+        return None  # others were shorter than this one is already
     left += [max(mean - past, 0.) for rest, past in running if rest is None]
-    return max([sum(left) + mean * n_waiting, 0.]) / n_at_once if n_waiting else max(left, default=0.)
+    return (sum(left) + mean * n_waiting) / n_at_once if n_waiting else max(left, default=0.)
 
 
 def describe(printed, starts, n_waiting, ended, n_at_once):

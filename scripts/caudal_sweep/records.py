@@ -88,14 +88,15 @@ def find_changed_settings(folder, record, wanted):
     truth is its parameters.prm, as a call that failed may have written down more; the record helps
     with entries that have other names there."""
     try:
-        there = {f"{section}/{entry}".lstrip("/"): (value, default)
+        # Without a default beside it a value is the default.
+        there = {f"{section}/{entry}".lstrip("/"): (value, value if default is None else default)
                  for section, entry, value, default in read_parameters(folder)}
     except MissingData:
         there = {}
     noted, changes = record.get("settings", {}), {}
     compared = {*noted, *wanted}
     if not noted and compared <= set(there):  # without entries of other names
-        compared |= {entry for entry, (_, default) in there.items() if default is not None}
+        compared |= {entry for entry, (value, default) in there.items() if value != default}
     for entry in sorted(entry for entry in compared if not WITHOUT_EFFECT.fullmatch(entry)):
         value, default = there.get(entry, (noted.get(entry), None))
         before, now = value, wanted.get(entry, default)

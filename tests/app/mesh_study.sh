@@ -8,7 +8,7 @@ write_salmon
 sweep() {
   code=0
   "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" >printed 2>&1 || code=$?
-  grep -v "^$PWD/\|^\[\|=.*: finished" printed | sed 's/^\([^ ]\)/  \1/'
+  grep -v "^$PWD/\|^\[\|=.*: finished\|^[0-9]* running: " printed | sed 's/, [0-9]* at a time//; s/^\([^ ]\)/  \1/'
   echo "  exit code $code"
 }
 

@@ -11,7 +11,7 @@ write_salmon
 sweep() {
   code=0
   "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" >printed 2>&1 || code=$?
-  grep -v "^$PWD/" printed | sed 's/^\[[0-9/]*\]/ /; s/ ([0-9]* of [0-9]*)//; s/, [0-9]* at a time//
+  grep -v "^$PWD/\|^[0-9]* running: " printed | sed "s|$PWD/||g"'; s/^\[[0-9/]*\]/ /; s/ ([0-9]* of [0-9]*)//; s/, [0-9]* at a time//
     s/^\([^ ]\)/  \1/; s/Caudal [0-9].*/VERSION/' | LC_ALL=C sort
   echo "  exit code $code"
 }
@@ -50,8 +50,9 @@ sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages --retry | grep "2: failed"
 /usr/bin/python3 -c 'import pandas
-print(pandas.read_csv("fails/sweep.csv")[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())' |
-  cut -c 1-60
+table = pandas.read_csv("fails/sweep.csv")
+table["remark"] = table["remark"].str[:13]
+print(table[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())'
 
 echo "* a value that the program refuses"
 sweep salmon.prm "Surface/Cells along=1,0" --folder refused
@@ -85,7 +86,7 @@ head -n 1 glee/sweep.csv
 sweep salmon.prm "Body fish/Gait/Wave number=1,1.2,1.4" --folder glee --figures "glee" | cut -c 1-80
 
 echo "* stopped, and gone on, as if it had not been"
-set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=3" --jobs 1 \
+set -- disc.prm "Body disc/Region body/Young's modulus=3|30" --no-pages -D "Time/End time=1" --jobs 1 \
   --figures "kinetic energy,least of disc: min J"
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder straight >/dev/null
 "$CAUDAL_SOURCE_DIR/scripts/sweep" "$@" --folder stopped >printed 2>&1 &
@@ -96,13 +97,13 @@ done
 kill -TERM $!
 code=0
 wait $! || code=$?
-grep -v "^$PWD/" printed | sed 's/^/  /; s/, [0-9]* at a time//'
+grep -v "^$PWD/\|^[0-9]* running: " printed | sed 's/^/  /; s/, [0-9]* at a time//'
 echo "  exit code $code"
 # Other settings leave it as it is, and so does a dry run.
 find stopped -type f -exec md5sum {} + | sort >before
-sweep "$@" --folder stopped -D "Time/End time=2"
-sweep "$@" --folder stopped -D "Time/End time=2" --dry-run
-sweep "$@" --folder stopped --dry-run | grep "goes on\|runs:" | sed 's/from [0-9.]*/from TIME/'
+sweep "$@" --folder stopped -D "Time/End time=0.9"
+sweep "$@" --folder stopped -D "Time/End time=0.9" --dry-run
+sweep "$@" --folder stopped --dry-run | grep "goes on\|^  2 runs:" | sed 's/from [0-9.]*/from TIME/'
 find stopped -type f -exec md5sum {} + | sort | cmp before - && echo "  untouched"
 sweep "$@" --folder stopped | sed 's/from [0-9.]*/from TIME/'
 for run in straight/runs/*/results; do
@@ -112,7 +113,7 @@ cat stopped/runs/*/results/log.txt | grep -c "^Resumed from"
 table stopped/sweep.csv
 
 echo "* longer"
-sweep "$@" --folder stopped -D "Time/End time=3.05"
+sweep "$@" --folder stopped -D "Time/End time=1.05"
 for run in stopped/runs/*/results; do
   last time "$run/statistics.txt"
 done
@@ -142,7 +143,8 @@ END
 
 echo "* what it would cost"
 sweep eel.prm "Body eel/Gait damping=1e4,2e4,-1" --folder dry --dry-run |
-  sed 's/about [0-9:]* /about TIME /; s/about [0-9]* MiB/about MEMORY/; s/up to [0-9.]* MiB/up to SOME MiB/'
+  sed 's/about [0-9:]* /about TIME /; s/about [0-9]* MiB/about MEMORY/; s/up to [0-9.]* MiB/up to SOME MiB/' |
+  cut -c 1-100
 [ ! -e dry ] || ls dry
 
 echo "* what can't be done"

@@ -30,7 +30,7 @@ sed -n '/^```sh$/,/^```$/{/^```/!p}
 export CAUDAL_RANKS=1
 bash -e commands >printed 2>&1 || { echo "failed:"; tail -n 20 printed; }
 
-grep "The case can be run\|^3 runs: \|finished$" printed | sed 's|^.[0-9]*/3. |  |' | LC_ALL=C sort
+grep "The case can be run\|^3 runs: \|finished\( (. of 3)\)*$" printed | sed 's|^\(.*\) (. of 3)$|  \1|' | LC_ALL=C sort
 for file in plots/vorticity.png plots/cruise.png plots/movie.mp4 plots/movie.gif report.html; do
   [ -s output/first_fish/$file ] && echo "first_fish/$file"
 done
