@@ -33,6 +33,9 @@ class Run:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
+        if not self.folder.is_dir():
+            raise MissingData(f"There is no folder {folder}. Give the output folder of a run; "
+                              "list_runs(\".\") tells all that there are.")
 
     @property
     def model(self):
@@ -76,7 +79,8 @@ class Run:
         """The column "name [unit]" of that name; the unit in brackets need not be given."""
         header = tables.find_column(self.statistics, name)
         if header is None:
-            raise MissingData(f"statistics.txt has no column <{name}>.")
+            raise MissingData(f"statistics.txt has no column <{name}>."
+                              + tables.suggest_column(self.statistics, name))
         return header
 
     def get(self, name):
@@ -141,7 +145,8 @@ class Run:
         report = self.get_swim(body)
         phases = np.arange(count) / count
         found = [tables.find_column(self.statistics, name)
-                 or self.find(f"{report['body']}: {name}") for name in columns]
+                 or tables.find_column(self.statistics, f"{report['body']}: {name}")
+                 or self.find(name) for name in columns]
         parts = {}
         for number, beat in enumerate(report["beats"], 1):
             times = beat["start"] + phases * beat["period"]
@@ -199,21 +204,38 @@ class Run:
         nearest = [times[np.argmin(abs(times - t))] for t in wanted if t <= times[-1] + gap]
         return sorted(set(nearest))
 
+    def find_blocks(self, time):
+        """File names by block name at the time of an output."""
+        if time not in self.files:
+            nearest = min(self.files, key=lambda output: abs(output - time))
+            raise MissingData(f"There are no fields at t = {time:g} s; the nearest are those at "
+                              f"{nearest:g} s. `times` lists all.")
+        return self.files[time]
+
+    def find_file(self, time, name):
+        """The file of a block at the time of an output."""
+        blocks = self.find_blocks(time)
+        if name not in blocks:
+            raise MissingData(f"solution.pvd lists no block <{name}> at t = {time:g} s; it has "
+                              f"{', '.join(blocks)}.")
+        return blocks[name]
+
     @functools.lru_cache(maxsize=8)
     def read(self, time, name):
         """The field of a block at the time of an output: points, triangles and data."""
         from . import fields  # which needs VTK; tables don't
-        return fields.read(self.files[time][name])
+        return fields.read(self.find_file(time, name))
 
     @functools.lru_cache(maxsize=4)
     def read_volume(self, time, name):
         """The same in three dimensions: points, cells and data."""
         from . import fields
-        return fields.read_volume(self.files[time][name])
+        return fields.read_volume(self.find_file(time, name))
 
     def read_volumes(self, time):
         """The bodies at the time of an output in three dimensions, by name."""
-        return {name: self.read_volume(time, name) for name in self.files[time] if name != "fluid"}
+        return {name: self.read_volume(time, name) for name in self.find_blocks(time)
+                if name != "fluid"}
 
     def read_surfaces(self):
         """The time of the last output of the bodies' surfaces, and these by name, in three
@@ -228,7 +250,7 @@ class Run:
 
     def read_bodies(self, time):
         """The bodies at the time of an output, by name."""
-        return {name: self.read(time, name) for name in self.files[time] if name != "fluid"}
+        return {name: self.read(time, name) for name in self.find_blocks(time) if name != "fluid"}
 
 
 def list_runs(folder):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tables of a run as pandas.DataFrame, whose columns are called "name [unit]"."""
 
+import difflib
 import io
 import pathlib
 import re
@@ -26,6 +27,15 @@ def find_column(table, name):
     if name in table:
         return name
     return next((header for header in table if get_name(header) == name), None)
+
+
+def suggest_column(table, name):
+    """Which columns may have been meant by a name that none has; empty if none is like it."""
+    names = [get_name(header) for header in table]
+    words = set(get_name(name).lower().partition(": ")[2].split() or get_name(name).lower().split())
+    like = [known for known in names if words <= set(known.lower().replace(":", "").split())]
+    like = like or difflib.get_close_matches(name, names, n=1)
+    return f" Did you mean {' or '.join(f'<{one}>' for one in like[:4])}?" if like else ""
 
 
 def read_table(path):

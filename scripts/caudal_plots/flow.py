@@ -6,12 +6,8 @@ import dataclasses
 import matplotlib
 import numpy as np
 
-from . import MissingData, style
+from . import MissingData, phases, style
 
-# The times [s] at which the paper describes the start-up (figure 8).
-START_UP_TIMES = (0.07, 0.14, 0.18, 0.22, 0.27, 0.32, 0.4, 0.5)
-N_CRUISE_TIMES = 8
-N_OUTLINES = 12
 NEAR = 0.1  # lengths from a body: within, vorticity is that of its boundary layer
 ARROWS = 26  # across 1.9 lengths
 
@@ -173,8 +169,35 @@ def get_scene(run, time, size):
                  fluid.sample("velocity", x, y))
 
 
-def draw_sequence(run, times, title):
-    """Pressure in colours, velocity as arrows and the bodies, at several times.
+def draw_arrows(panel, scene, unit, length):
+    """The velocity, but where it is small; arrows whose tips would leave the picture are left out."""
+    speed = scene.speed[..., None]
+    velocity = scene.velocity * np.minimum(1, unit / np.maximum(speed, 1e-300))
+    reach = 0.11 * length / unit
+    x, y = np.meshgrid(scene.x, scene.y)
+    tip_x, tip_y = x + reach * velocity[..., 0], y + reach * velocity[..., 1]
+    x0, x1, y0, y1 = scene.window
+    is_seen = ((speed[..., 0] > 0.05 * unit) & (tip_x > x0) & (tip_x < x1) & (tip_y > y0)
+               & (tip_y < y1))
+    velocity = np.where(is_seen[..., None], velocity, np.nan)
+    return panel.quiver(scene.x, scene.y, velocity[..., 0], velocity[..., 1], angles="xy",
+                        scale=1 / reach, scale_units="xy", units="inches", width=0.013, headwidth=3.5,
+                        headlength=4, headaxislength=3.5, minlength=0.2, color="0.15")
+
+
+def draw_keys(figure, axes, spare, picture, arrows, unit):
+    """What arrows and colours mean; the colours in the place of the missing picture, if there is one."""
+    height = arrows.axes.get_position().height * figure.get_figheight()  # [inch], about
+    arrows.axes.quiverkey(arrows, 0.9, 1 + 0.1 / height, unit, f"{unit:g} m/s and more", labelpos="W")
+    place = ({"cax": spare[0].inset_axes((0.1, 0.5, 0.8, 0.06))} if len(spare)
+             else {"ax": axes, "aspect": 50, "shrink": 0.6})
+    figure.colorbar(picture, orientation="horizontal", extend="both",
+                    label="pressure − its median in the picture [Pa]", **place)
+
+
+def draw_sequence(run, times, title, name_time):
+    """Pressure in colours, velocity as arrows and the bodies, at several times, each with the name
+    that name_time(time) gives it.
 
     The windows follow the bodies; the scales are those of all times together. Arrows end at the
     unit's length: longer ones would cross each other.
@@ -191,42 +214,40 @@ def draw_sequence(run, times, title):
     rows = -(-len(scenes) // columns)
     figure, axes = style.make_figure(rows, columns, 1. + rows * (
         0.4 + (style.WIDTH - 0.7 * columns) / columns * size[1] / size[0]))
-    for panel in axes.flat[len(scenes):]:
+    spare = axes.flat[len(scenes):]
+    for panel in spare:
         panel.set_axis_off()
-    arrows = []
     for panel, scene in zip(axes.flat, scenes):
         picture = style.draw_field(panel, scene.fluid, scene.pressure, scene.window, limit,
                                    style.PRESSURE)
-        speed = scene.speed[..., None]
-        velocity = np.where(speed > 0.05 * unit, scene.velocity * np.minimum(1, unit / np.maximum(
-            speed, 1e-300)), np.nan)
-        arrows.append(panel.quiver(scene.x, scene.y, velocity[..., 0], velocity[..., 1], angles="xy",
-                              scale=unit / (0.11 * length), scale_units="xy", units="inches",
-                              width=0.013, headwidth=3.5, headlength=4, headaxislength=3.5,
-                              minlength=0.2, color="0.15"))
+        arrows = draw_arrows(panel, scene, unit, length)
         style.draw_bodies(panel, run.read_bodies(scene.time))
-        panel.set_title(f"t = {scene.time:.3f} s")
+        panel.set_title(name_time(scene.time))
     for panel in axes[:, 0]:
         panel.set_ylabel("y [m]")
-    for panel in axes[-1, :]:
+    for panel in [*axes[-1, :], *axes.flat[len(scenes) - columns:len(scenes)]]:
         panel.set_xlabel("x [m]")
     figure.suptitle(title)
-    axes[0, -1].quiverkey(arrows[columns - 1], 0.9, 1.06, unit, f"{unit:g} m/s and more", labelpos="W")
-    figure.colorbar(picture, ax=axes, orientation="horizontal", extend="both", aspect=50,
-                    shrink=0.6, label="pressure − its median in the picture [Pa]")
+    draw_keys(figure, axes, spare, picture, arrows, unit)
     return figure
 
 
 def draw_start_up(run):
-    times = run.get_nearest_times(START_UP_TIMES) or run.times[-1:]  # of a shorter run the last one
-    return draw_sequence(run, times, "Start from rest: pressure (colours) and velocity (arrows)")
+    times, period = phases.choose_start(run)
+    title = "Start from rest: pressure (colours) and velocity (arrows)"
+    if period is None:
+        return draw_sequence(run, times, title, lambda time: f"t = {time:.3f} s")
+    return draw_sequence(run, times, f"{title}; T = {period:.3f} s is the period of the first tail beat",
+                         lambda time: f"t/T = {time / period:.2f}")
 
 
 def draw_cruise(run):
     start, end = run.get_last_beat()
-    times = run.get_nearest_times(np.linspace(start, end, N_CRUISE_TIMES, endpoint=False))
-    return draw_sequence(run, times, f"One tail beat of {run.bodies[0]}, T = {end - start:.3f} s: "
-                         "pressure (colours) and velocity (arrows)")
+    period = end - start
+    times = phases.choose_phases(run.times, start, period, phases.SEQUENCE)
+    return draw_sequence(run, times, f"One tail beat of {run.bodies[0]} from t = {start:.3f} s, "
+                         f"T = {period:.3f} s: pressure (colours) and velocity (arrows)",
+                         lambda time: f"t/T = {(time - start) / period:.2f}")
 
 
 def get_frame(body):
@@ -246,14 +267,12 @@ def draw_body_wave(run):
     The frame does not turn with the beat; it is turned by the beat's mean heading.
     """
     start, end = run.get_last_beat()
-    times = run.get_nearest_times(np.linspace(start, end, N_OUTLINES, endpoint=False))
+    times = phases.choose_phases(run.times, start, end - start, phases.OUTLINES)
     names = list(run.read_bodies(times[-1]))
     if not names:
         raise MissingData("solution.pvd lists no body beside the fluid.")
 
     figure, axes = style.make_figure(len(names), 1, 0.4 + 2.9 * len(names))
-    colours = matplotlib.colors.ListedColormap(
-        matplotlib.colormaps["plasma"](np.linspace(0, 0.9, 256)))
     for panel, name in zip(axes[:, 0], names):
         bodies = [run.read(time, name) for time in times]
         frames = [get_frame(body) for body in bodies]
@@ -262,11 +281,12 @@ def draw_body_wave(run):
         for time, body, (centre, _) in zip(times, bodies, frames):
             for polygon in body.outline:
                 x, y = ((np.vstack([polygon, polygon[:1]]) - centre) @ turn).T
-                panel.plot(x, y, color=colours((time - start) / (end - start)), linewidth=1.1)
+                panel.plot(x, y, color=style.PHASES((time - start) / (end - start)), linewidth=1.1)
         panel.set_aspect("equal")
-        panel.set_title(f"{name}: outlines from t = {times[0]:.3f} to {times[-1]:.3f} s")
+        panel.set_title(f"{name}: outlines from t = {times[0]:.3f} to {times[-1]:.3f} s; "
+                        "x and y have the same scale")
         panel.set_ylabel("y − centre [m]")
     axes[-1, 0].set_xlabel("x − centre [m]")
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 1), colours)
-    figure.colorbar(scale, ax=axes, shrink=0.8, label="phase of the beat [1]")
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 1), style.PHASES)
+    figure.colorbar(scale, ax=axes, shrink=0.8, label="phase of the beat t/T [1]")
     return figure

@@ -28,14 +28,26 @@ def set_span(axes, start, end, values):
     axes.set_ylim(low - margin, high + margin)
 
 
+def find_point(run):
+    """The place whose way all bodies tell, its name on the axes and that in the title: the first monitored point,
+    or, without such, the centre of mass."""
+    try:
+        for body in run.bodies:
+            run.find(f"{body}: x of point 1")
+    except MissingData:
+        return "centre of mass", "\nthe centre of mass", "the centre of mass"
+    return "point 1", " A", "the first monitored point, A"
+
+
 def draw_speed(run):
-    """Speed and displacement of point A of all bodies; forward is -x."""
+    """Speed and displacement of point A, or of the centre of mass, of all bodies; forward is -x."""
     spans = get_spans(run)
     figure, axes = style.make_figure(2, len(spans), 4.8)
     curves = []
+    point, name, long_name = find_point(run)
     for body in run.bodies:
-        x = run.get(f"{body}: x of point 1")
-        curves.append((body, (-run.get(f"{body}: u of point 1"), x[0] - x)))
+        x = run.get(f"{body}: x of {point}")
+        curves.append((body, (-run.get(f"{body}: u of {point}"), x[0] - x)))
 
     for column, (title, start, end) in enumerate(spans):
         inside = (run.time >= start) & (run.time <= end)
@@ -47,9 +59,9 @@ def draw_speed(run):
         axes[0, column].set_title(f"({'abc'[column]}) {title}")
         axes[1, column].set_xlabel("time [s]")
         axes[0, column].axhline(0, color="0.5", linewidth=0.6)
-    axes[0, 0].set_ylabel("speed of A [m/s]")
-    axes[1, 0].set_ylabel("displacement of A [m]")
-    figure.suptitle("Speed and way of the first monitored point, A, positive towards −x")
+    axes[0, 0].set_ylabel(f"speed of{name} [m/s]")
+    axes[1, 0].set_ylabel(f"displacement of{name} [m]")
+    figure.suptitle(f"Speed and way of {long_name}, positive towards −x")
     if len(curves) > 1:
         axes[0, 0].legend()
     return figure

@@ -7,11 +7,11 @@ import sys
 
 from caudal import Run
 
-from . import MissingData, film, flow, history, passage, space, style
+from . import BrokenData, MissingData, film, flow, history, passage, space, style
 
 # Of the immersed model: file name in DIR/plots, what it shows, the function that draws it.
 CHARTS = (
-    ("speed", "speed and displacement of point A", history.draw_speed),
+    ("speed", "speed and displacement of point A, or of the centre of mass", history.draw_speed),
     ("volume", "area change and range of J", history.draw_volume),
     ("energy", "energy ledger", history.draw_energy),
 )
@@ -35,6 +35,44 @@ def get_figures(run):
     return CHARTS + SPATIAL if run.is_spatial else FIGURES
 
 
+def read_names(text):
+    """The figures of --only, "cruise,energy"; argparse says what is wrong with it."""
+    known = [name for name, _, _ in FIGURES + SPATIAL + passage.FIGURES]
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    for name in names or [text]:
+        if name not in known:
+            raise argparse.ArgumentTypeError(f"<{name}> is no figure; there are {', '.join(known)}")
+    return names
+
+
+def find_obstacle(folder):
+    """Why nothing can be drawn of the folder, and where its pictures are; None if it can be."""
+    if not folder.is_dir():
+        return f"{folder}: there is no such folder."
+    if any((folder / f"sweep.{ending}").exists() for ending in ("csv", "json", "lock")):
+        there = [str(folder / name) for name in ("sweep.png", "report.html") if (folder / name).is_file()]
+        return (f"{folder} is the folder of a sweep, "
+                + (f"whose pictures are in {' and '.join(there)}; " if there else "without pictures yet; ")
+                + f"scripts/plot draws single runs, those in {folder / 'runs'}.")
+    try:
+        model = Run(folder).model
+    except BrokenData as reason:
+        return str(reason)
+    except MissingData:
+        model = None
+    if model == "potential":
+        return (f"{folder} is a run in an ideal fluid; scripts/report {folder} makes a page of it, with "
+                "its pictures.")
+    has_results = any((folder / name).exists() for name in
+                      ("statistics.txt", "solution.pvd", "passage.json", "parameters.prm"))
+    if has_results:
+        return None
+    runs = sorted({str(path.parent) for path in folder.glob("*/parameters.prm")})
+    return f"{folder} holds no results of a run" + (
+        f"; it has folders of runs in it: {', '.join(runs)}." if runs else
+        ". Give the folder that Output/Folder of the run names.")
+
+
 def save(figure, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path)
@@ -52,9 +90,8 @@ def main(arguments):
         + "; ".join(f"{name}: {text}" for name, text, _ in passage.FIGURES) + ".")
     parser.add_argument("folder", metavar="DIR", type=pathlib.Path,
                         help="the run's output folder; the pictures go to DIR/plots")
-    parser.add_argument("--only", metavar="NAME", action="append",
-                        choices=[name for name, _, _ in FIGURES + SPATIAL + passage.FIGURES],
-                        help="draw this figure only")
+    parser.add_argument("--only", metavar="NAME,...", action="extend", type=read_names,
+                        help="draw these figures only")
     parser.add_argument("--limit", metavar="VALUE", type=float,
                         help="end of the vorticity's colour scale [1/s], which else the wake decides")
     parser.add_argument("--level", metavar="VALUE", type=float,
@@ -63,14 +100,15 @@ def main(arguments):
                         help="make a film of the vorticity, DIR/plots/movie.mp4 and movie.gif, too")
     options = parser.parse_args(arguments)
 
-    if not options.folder.is_dir():
-        print(f"{options.folder}: there is no such folder.", file=sys.stderr)
+    obstacle = find_obstacle(options.folder)
+    if obstacle:
+        print(obstacle, file=sys.stderr)
         return 1
 
     style.apply()
     is_passage = (options.folder / "passage.json").is_file()
     run = passage.Answers(options.folder) if is_passage else Run(options.folder)
-    figures = passage.FIGURES if is_passage else get_figures(run)
+    figures = passage.get_figures(options.folder) if is_passage else get_figures(run)
     limits = {"vorticity": {"limit": options.limit}, "slices": {"limit": options.limit},
               "vortices": {"limit": options.limit, "level": options.level}}
     tasks = [(name, lambda name=name, draw=draw: save(draw(run, **limits.get(name, {})),

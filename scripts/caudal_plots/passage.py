@@ -149,3 +149,8 @@ FIGURES = (
     ("speeds", "speeds of water and fish along the way", draw_speeds),
     ("matrix", "the matrix of a batch of fish", draw_matrix),
 )
+
+
+def get_figures(folder):
+    """What can be drawn of a run: one fish has no matrix."""
+    return [figure for figure in FIGURES if figure[0] != "matrix" or (folder / "batch.csv").exists()]

@@ -47,6 +47,24 @@ PRESSURE = matplotlib.colors.ListedColormap(
     matplotlib.colormaps["PuOr_r"](np.linspace(0.14, 0.86, 256)))
 
 
+def make_cycle(lightness=0.62, chroma=0.125, count=256):
+    """All hues at one lightness, so that the end of a cycle has the colour of its beginning and
+    none is lost on white (Oklab by B. Ottosson, 2020)."""
+    angle = 2 * np.pi * np.arange(count) / count
+    lab = np.stack([np.full(count, lightness), chroma * np.cos(angle), chroma * np.sin(angle)])
+    roots = np.array([[1, 0.3963377774, 0.2158037573], [1, -0.1055613458, -0.0638541728],
+                      [1, -0.0894841775, -1.2914855480]]) @ lab
+    linear = np.array([[4.0767416621, -3.3077115913, 0.2309699292],
+                       [-1.2684380046, 2.6097574011, -0.3413193965],
+                       [-0.0041960863, -0.7034186147, 1.7076147010]]) @ roots**3
+    linear = np.clip(linear, 0, 1)
+    colours = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear**(1 / 2.4) - 0.055)
+    return matplotlib.colors.ListedColormap(colours.T)
+
+
+PHASES = make_cycle()  # of what repeats itself
+
+
 def close(figure):
     plt.close(figure)
 

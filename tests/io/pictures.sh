@@ -8,7 +8,16 @@ caudal eel.prm
 caudal "$CAUDAL_SOURCE_DIR/prm/salmon/salmon.prm" -D "Output/Folder=salmon" -D "Time/End time=3" \
   -D "Surface/Cells along=2" -D "Surface/Cells across=2" -D "Output/Interval of fields=0.5"
 
-"$CAUDAL_SOURCE_DIR/scripts/plot" eel --only cruise --only energy --movie
+"$CAUDAL_SOURCE_DIR/scripts/plot" eel --only cruise,energy --only speed --movie
+
+echo "* what can't be drawn"
+mkdir empty sweep
+echo >sweep/sweep.png
+echo >sweep/sweep.csv
+for folder in nothing empty sweep salmon .; do
+  "$CAUDAL_SOURCE_DIR/scripts/plot" $folder 2>&1 | sed "s/^/  /"
+done
+"$CAUDAL_SOURCE_DIR/scripts/plot" eel --only cruise,sped 2>&1 | sed -n "s/.*error: /  /p"
 echo "outputs: $(ls eel/fields/fluid-*.vtu | wc -l), pictures: $(ls eel/plots/movie | wc -l)"
 ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 eel/plots/movie.mp4 |
   sed 's/^/frames of the mp4: /'
@@ -22,7 +31,39 @@ from PIL import Image
 sys.path.insert(0, os.environ["CAUDAL_SOURCE_DIR"] + "/scripts")
 import caudal_setup  # noqa: F401: so that the package caudal is found
 from caudal import Run
-from caudal_plots import flow
+from caudal_plots import flow, history, phases
+
+# A beat of 0.5 s from 3.77 s on: even phases, where the outputs allow it.
+for gap in (0.05, 0.07, 0.2, 1.):
+    times = phases.choose_phases(np.arange(0, 5, gap), 3.77, 0.5, phases.SEQUENCE)
+    print(f"outputs each {gap:g} s:", *(f"{(time - 3.77) / 0.5:.2f}" for time in times))
+
+
+class Outputs:
+    """A run with fields, whose first beat ends at 0.8 s, or one without a beat."""
+
+    def __init__(self, gap, beats):
+        self.times, self.beats, self.bodies = list(np.arange(0, 2, gap)), beats, ["eel"]
+
+    def get_swim(self, body):
+        return {"beats": self.beats}
+
+
+for gap in (0.05, 0.1, 0.3):
+    times, period = phases.choose_start(Outputs(gap, [{"start": 0.4, "period": 0.4}]))
+    print("the start:", *(f"{time / period:.3f}" for time in times))
+print("without a beat:", *(f"{time:.2f}" for time in phases.choose_start(Outputs(0.1, []))[0]))
+
+
+class Points:
+    bodies = ["eel", "cod"]
+
+    def find(self, name):
+        if name.startswith("cod"):
+            raise flow.MissingData(name)
+
+
+print("speed of:", history.find_point(Run("eel"))[0], "-", history.find_point(Points())[0])
 
 film = Image.open("eel/plots/movie.gif")
 print("frames of the gif:", film.n_frames)
