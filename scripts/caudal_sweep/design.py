@@ -33,8 +33,15 @@ class Axis:
 def name_axes(axes, units):
     """The axes with names that are as short as can be, and with their units where these are known."""
     names = shorten([axis.entry for axis in axes])
-    return [dataclasses.replace(axis, name=names[axis.entry], unit=units.get(axis.entry, ""))
+    return [dataclasses.replace(axis, name=names[axis.entry], unit=find_unit(units, axis.entry))
             for axis in axes]
+
+
+def find_unit(units, entry):
+    """The unit of an entry; in some models the program calls each body and region <name>."""
+    general = re.sub(r"^Body [^/]*", "Body <name>", entry)
+    return units.get(entry) or units.get(general) or \
+        units.get(re.sub(r"/Region [^/]*", "/Region <name>", general), "")
 
 
 def is_number(text):

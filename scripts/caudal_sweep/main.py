@@ -175,7 +175,8 @@ def describe_plans(runs, n_at_once, folder):
     n_missing = len(runs) - counts["known already"]
     told = ", ".join(f"{count} {word}" for word, count in counts.items() if count)
     at_once = f", {min(n_at_once, n_missing)} at a time" if n_missing else ""
-    return [f"{len(runs)} runs in {show_folder(folder)}: {told}{at_once}."] + \
+    words = "run" if len(runs) == 1 else "runs"
+    return [f"{len(runs)} {words} in {show_folder(folder)}: {told}{at_once}."] + \
         [f"{job.name}: {job.plan.describe()}" for job in runs if job.plan.kind == GOES_ON]
 
 

@@ -19,6 +19,12 @@ SMALLEST_SPAN = 1e-6  # of the largest value: less is rounding
 LEAST = {"turn a stroke [degrees]": 1e-3}  # less is rounding
 
 
+def name_value(axis, value):
+    """A value of an entry with the entry's name and unit: text, or a number where one run has many."""
+    text = value if isinstance(value, str) else f"{value:g}"
+    return f"{axis.name or axis.entry} {text} {axis.unit}".strip()
+
+
 def find_curves(table, axis, model):
     """[(name, rows)]: what is drawn as one curve, all but the first axis being the same."""
     names = [entry for entry in axis[1:] if table[entry.entry].nunique() > 1]
@@ -28,15 +34,15 @@ def find_curves(table, axis, model):
         keys.append(label)
     if not keys:
         return [("", table)]
-    shown = {entry.entry: (entry.name or entry.entry, entry.unit) for entry in names}
+    shown = {entry.entry: entry for entry in names}
 
     def name(values):
         values = values if len(keys) > 1 else (values,)
-        return ", ".join(" ".join([shown[key][0], value, shown[key][1]]).strip() if key in shown
-                         else name_label(key, value)
+        return ", ".join(name_value(shown[key], value) if key in shown else name_label(key, value)
                          for key, value in zip(keys, values))
 
-    return [(name(values), rows) for values, rows in table.groupby(keys[0] if len(keys) == 1 else keys, sort=False)]
+    groups = table.groupby(keys[0] if len(keys) == 1 else keys, sort=False)
+    return [(name(values), rows) for values, rows in groups]
 
 
 def split_curve(label):

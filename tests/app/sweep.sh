@@ -126,9 +126,11 @@ import pathlib
 import sys
 import time
 
+import pandas
+
 sys.path.insert(0, os.environ["CAUDAL_SOURCE_DIR"] + "/scripts")
 import caudal_setup  # noqa: F401
-from caudal_sweep import progress
+from caudal_sweep import design, plot, progress
 
 line = "t = {} of 4.00 s   45.0 %  step 720  2.08 steps/s  {} left  dt 0.0025 s, 2891 cells\n"
 pathlib.Path("one.txt").write_text(line.format("0.2", "9:00") + line.format("1.80", "10:00"))
@@ -139,6 +141,13 @@ print(" ", progress.describe(["one.txt"], [now - 600], 0, [], 2))
 print(" ", progress.describe(["one.txt", "two.txt"], [now - 600, now - 4200], 0, [], 2))
 print(" ", progress.describe(["one.txt", "mute.txt"], [now - 600, now], 2, [], 2))
 print(" ", progress.describe(["mute.txt", "none.txt"], [now, now], 1, [], 2))
+
+# The names of curves, of values as text and as numbers.
+axes = design.name_axes([design.Axis(entry, ("1", "2")) for entry in ("A/Wave number", "A/Frequency", "B/Part")],
+                        {"A/Frequency": "Hz"})
+table = pandas.DataFrame({"A/Frequency": [2., 3.5], "B/Part": ["1e-4", "x"]})
+curves = [name for name, _ in plot.find_curves(table, axes, "potential")]
+print(" ", curves, plot.split_curve("Frequency 3.5 Hz"), axes[1].label)
 END
 
 echo "* what it would cost"
