@@ -256,6 +256,7 @@ namespace caudal
       lock.reset();
       lock = std::make_unique<Lock>(folder);
       fs::remove(kept / lock_name);
+      kept_results = kept.string();
       return;
     }
     const Manifest earlier(folder);
