@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/app/case_name.h>
 #include <caudal/app/model_run.h>
 #include <caudal/app/verify_restart.h>
 #include <caudal/base/collective.h>
@@ -295,7 +296,10 @@ namespace
     if (command_line.action == Action::resume)
       file = read_parameters_of_run(command_line);
     else if (!command_line.file.empty())
+    {
+      check_case_name(command_line.file);
       file = std::make_unique<ParameterFile>(command_line.file, command_line.overrides);
+    }
     load_libraries(file ? file->get("Libraries", "") : "");
     const Model &model = find_model(file.get());
     return command_line.action == Action::print_parameters

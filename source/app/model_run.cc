@@ -141,6 +141,9 @@ namespace caudal
     if (figures.are_printed())
       log.keep_from_terminal(figures.with_warnings);
     log.print_banner();
+    if (!folder.get_kept_results().empty())
+      log << parameters.output.folder << " -> " << folder.get_kept_results()
+          << " (results of an earlier run)" << std::endl;
     for (const std::string &message : messages)
       log << message << std::endl;
     swimmer.set_parameter_values(values);

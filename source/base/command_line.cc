@@ -4,6 +4,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cstdlib>
+
 namespace caudal
 {
   namespace
@@ -128,5 +130,11 @@ namespace caudal
            "from. mpirun kills its ranks soon after a SIGTERM, but hands on SIGUSR1 and SIGUSR2: "
            "send it\n"
            "one of these.\n";
+  }
+
+  std::string get_command()
+  {
+    const char *const name = std::getenv("CAUDAL_COMMAND");
+    return name != nullptr ? name : "caudal";
   }
 } // namespace caudal

@@ -4,12 +4,12 @@
 #include <caudal/base/parameter_text.h>
 #include <caudal/base/plugin.h>
 #include <caudal/base/safe_file.h>
+#include <caudal/base/suggestions.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -32,49 +32,6 @@ namespace caudal
     std::string get_path(const std::vector<std::string> &sections, const std::string &entry)
     {
       return sections.empty() ? entry : join(sections, "/") + "/" + entry;
-    }
-
-    template <class Named>
-    std::vector<std::string> get_names(const std::vector<Named> &list)
-    {
-      std::vector<std::string> names;
-      for (const Named &one : list)
-        names.push_back(one.name);
-      return names;
-    }
-
-    /** The number of letters to insert, remove or exchange to get from @p a to @p b. */
-    unsigned int compute_edit_distance(const std::string &a, const std::string &b)
-    {
-      std::vector<unsigned int> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0);
-      for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        unsigned int diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j)
-        {
-          const bool         same = std::tolower(a[i]) == std::tolower(b[j]);
-          const unsigned int cost =
-              std::min({diagonal + (same ? 0 : 1), row[j] + 1, row[j + 1] + 1});
-          diagonal   = row[j + 1];
-          row[j + 1] = cost;
-        }
-      }
-      return row.back();
-    }
-
-    /** The known names, and before them the one that may have been meant. */
-    std::string suggest(const std::string &name, const std::vector<std::string> &known)
-    {
-      if (known.empty())
-        return "There are none there.";
-      const auto nearest =
-          std::min_element(known.begin(), known.end(), [&](const auto &a, const auto &b) {
-            return compute_edit_distance(name, a) < compute_edit_distance(name, b);
-          });
-      const bool is_near = compute_edit_distance(name, *nearest) <= 1 + name.size() / 4;
-      return (is_near ? "Did you mean <" + *nearest + ">? " : "") +
-             "Known there: " + join(known, ", ") + ".";
     }
 
     /** A pattern of the paths that are @p path with its `*`, or lead into this section. */
@@ -287,13 +244,13 @@ namespace caudal
     if (opens_section)
       return assignment.is_former || section->find_section(name) != nullptr
                  ? ""
-                 : sentence + suggest(name, get_names(section->sections));
+                 : sentence + suggest_section(name, *section, declared);
     if (const DeclaredEntry *const known = section->find_entry(name))
       return set_entry(prm, assignment.sections, *known,
                        known->names_input_file && !assignment.is_override
                            ? find_input_file(assignment.value, assignment.origin)
                            : assignment.value);
-    return sentence + suggest(name, get_names(section->entries));
+    return sentence + suggest_entry(name, *section, declared);
   }
 
   void ParameterFile::parse(ParameterHandler &prm) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
+#include <caudal/base/command_line.h>
 #include <caudal/base/safe_file.h>
 #include <caudal/io/checkpoints.h>
 
@@ -321,7 +322,8 @@ namespace caudal
   {
     std::ostringstream text;
     text << (on_request ? "Stopped on request" : "Stopped by Checkpoint/Wall time limit")
-         << " at t = " << time << " s, step " << step << ". To go on: caudal --resume " << results;
+         << " at t = " << time << " s, step " << step << ". To go on: " << get_command()
+         << " --resume " << results;
     return text.str();
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/collective.h>
+#include <caudal/base/command_line.h>
 #include <caudal/base/safe_file.h>
 #include <caudal/io/checkpoints.h>
 #include <caudal/io/output_folder.h>
@@ -240,8 +241,8 @@ namespace caudal
     const fs::path    kept           = find_free_name(place);
     const std::string replace        = "by Output/Existing results = replace, which removes it";
     if (can_be_resumed && existing != ExistingResults::replace)
-      throw std::runtime_error("it holds an unfinished run. Go on with it by caudal --resume " +
-                               folder + ", or start afresh " + replace + ".");
+      throw std::runtime_error("it holds an unfinished run. Go on with it by " + get_command() +
+                               " --resume " + folder + ", or start afresh " + replace + ".");
     if (existing == ExistingResults::refuse)
       throw std::runtime_error("it holds an earlier run. Start afresh " + replace +
                                ", or = number, which keeps it as " + kept.string() + ".");
@@ -256,6 +257,7 @@ namespace caudal
       lock.reset();
       lock = std::make_unique<Lock>(folder);
       fs::remove(kept / lock_name);
+      kept_results = kept.string();
       return;
     }
     const Manifest earlier(folder);

@@ -43,7 +43,7 @@ namespace caudal
 
     std::ostringstream line;
     line << "t = " << std::fixed << std::setprecision(4) << time << " of " << std::setprecision(2)
-         << end_time << " s  " << std::setw(5) << std::setprecision(1) << 100 * fraction
+         << end_time << " s  " << std::setw(5) << std::setprecision(1) << 100 * time / end_time
          << " %  step " << step << "  " << std::setprecision(2) << n_steps / std::max(elapsed, 1e-9)
          << " steps/s  " << format_duration(remaining) << " left" << (details.empty() ? "" : "  ")
          << details;

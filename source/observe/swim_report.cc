@@ -37,6 +37,26 @@ namespace caudal
       return quantity.symbol + (quantity.unit.empty() ? "" : "[" + quantity.unit + "]");
     }
 
+    /**
+     * A value with the quantity's digits after the point, and with more where these are fewer than
+     * four of its own: powers of a small fish are some mW.
+     */
+    std::string print_value(const TailBeatQuantity &quantity, const double value)
+    {
+      const bool   is_number = std::isfinite(value) && value != 0;
+      const double order     = is_number ? std::floor(std::log10(std::abs(value))) : 0;
+      const bool   is_plain =
+          !is_number || quantity.value == &TailBeat::steady || order >= 3 - quantity.precision;
+      std::ostringstream text;
+      if (is_plain)
+        text << std::fixed << std::setprecision(quantity.precision) << value + 0.; // no -0
+      else if (order >= -4)
+        text << std::fixed << std::setprecision(3 - static_cast<int>(order)) << value;
+      else
+        text << std::scientific << std::setprecision(3) << value;
+      return text.str();
+    }
+
     Json describe_beat(const std::vector<TailBeatQuantity> &quantities, const TailBeat &beat)
     {
       Json json = Json::object();
@@ -115,9 +135,9 @@ namespace caudal
     for (const TailBeatQuantity &quantity : in_file)
       if (quantity.value != &TailBeat::start && quantity.value != &TailBeat::steady)
         log << "  " << std::left << std::setw(28) << quantity.name << std::right << std::setw(14)
-            << std::fixed << std::setprecision(quantity.precision) << mean.*quantity.value << ' '
-            << std::left << std::setw(9) << quantity.unit << std::right << '\n';
-    log << std::defaultfloat << std::setprecision(6) << std::flush;
+            << print_value(quantity, mean.*quantity.value) << ' ' << std::left << std::setw(9)
+            << quantity.unit << std::right << '\n';
+    log << std::flush;
   }
 
   void SwimReport::resume() const
@@ -170,11 +190,10 @@ namespace caudal
   void SwimReport::write_row(std::ostream &out, const Quantities &quantities,
                              const std::size_t beat) const
   {
-    out << std::setw(5) << beat + 1 << std::fixed;
+    out << std::setw(5) << beat + 1;
     for (const TailBeatQuantity &quantity : quantities)
-      out << ' ' << std::setw(width - 1) << std::setprecision(quantity.precision)
-          << beats[beat].*quantity.value;
-    out << std::defaultfloat << std::setprecision(6) << '\n';
+      out << ' ' << std::setw(width - 1) << print_value(quantity, beats[beat].*quantity.value);
+    out << '\n';
   }
 
   /** A row for each beat, after one of names and units; blank where there is no number. */

@@ -17,7 +17,7 @@ namespace caudal::passage
   {
     struct Species
     {
-      std::string  name;
+      std::string  name, scientific_name;
       unsigned int group; // its number in get_swim_groups()
     };
 
@@ -34,22 +34,38 @@ namespace caudal::passage
     const std::vector<Species> &get_species()
     {
       static const std::vector<Species> species{
-          {"Atlantic salmon", salmon},   {"Chinook salmon", salmon},
-          {"coho salmon", salmon},       {"sockeye salmon", salmon},
-          {"pink salmon", salmon},       {"chum salmon", salmon},
-          {"rainbow trout", salmon},     {"steelhead", salmon},
-          {"cutthroat trout", salmon},   {"brown trout", salmon},
-          {"brook trout", salmon},       {"lake trout", salmon},
-          {"bull trout", salmon},        {"Arctic char", salmon},
-          {"Arctic grayling", salmon},   {"lake whitefish", salmon},
-          {"walleye", salmon},           {"American eel", eel},
-          {"European eel", eel},         {"northern pike", pike},
-          {"alewife", herring},          {"American shad", herring},
-          {"Atlantic herring", herring}, {"blueback herring", herring},
-          {"channel catfish", catfish},  {"bluegill", catfish},
-          {"pumpkinseed", catfish},      {"smallmouth bass", catfish},
-          {"largemouth bass", catfish},  {"lake sturgeon", sturgeon},
-          {"white sturgeon", sturgeon},  {"shortnose sturgeon", sturgeon}};
+          {"Atlantic salmon", "Salmo salar", salmon},
+          {"Chinook salmon", "Oncorhynchus tshawytscha", salmon},
+          {"coho salmon", "Oncorhynchus kisutch", salmon},
+          {"sockeye salmon", "Oncorhynchus nerka", salmon},
+          {"pink salmon", "Oncorhynchus gorbuscha", salmon},
+          {"chum salmon", "Oncorhynchus keta", salmon},
+          {"rainbow trout", "Oncorhynchus mykiss", salmon},
+          {"steelhead", "Oncorhynchus mykiss", salmon},
+          {"cutthroat trout", "Oncorhynchus clarkii", salmon},
+          {"brown trout", "Salmo trutta", salmon},
+          {"brook trout", "Salvelinus fontinalis", salmon},
+          {"lake trout", "Salvelinus namaycush", salmon},
+          {"bull trout", "Salvelinus confluentus", salmon},
+          {"Arctic char", "Salvelinus alpinus", salmon},
+          {"Arctic grayling", "Thymallus arcticus", salmon},
+          {"lake whitefish", "Coregonus clupeaformis", salmon},
+          {"walleye", "Sander vitreus", salmon},
+          {"American eel", "Anguilla rostrata", eel},
+          {"European eel", "Anguilla anguilla", eel},
+          {"northern pike", "Esox lucius", pike},
+          {"alewife", "Alosa pseudoharengus", herring},
+          {"American shad", "Alosa sapidissima", herring},
+          {"Atlantic herring", "Clupea harengus", herring},
+          {"blueback herring", "Alosa aestivalis", herring},
+          {"channel catfish", "Ictalurus punctatus", catfish},
+          {"bluegill", "Lepomis macrochirus", catfish},
+          {"pumpkinseed", "Lepomis gibbosus", catfish},
+          {"smallmouth bass", "Micropterus dolomieu", catfish},
+          {"largemouth bass", "Micropterus salmoides", catfish},
+          {"lake sturgeon", "Acipenser fulvescens", sturgeon},
+          {"white sturgeon", "Acipenser transmontanus", sturgeon},
+          {"shortnose sturgeon", "Acipenser brevirostrum", sturgeon}};
       return species;
     }
   } // namespace
@@ -83,7 +99,7 @@ namespace caudal::passage
     }
     for (const Species &known : get_species())
     {
-      if (lower(known.name) == lower(species))
+      if (lower(known.name) == lower(species) || lower(known.scientific_name) == lower(species))
         return groups[known.group];
       names.push_back(known.name);
     }

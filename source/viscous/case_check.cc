@@ -152,7 +152,8 @@ namespace caudal
         out << " along (" << print_axis(thinnest.direction) << ')';
       }
       out << ".\n";
-      if (body.swims())
+      // Where the grid goes with a body the sides do, too.
+      if (body.swims() && !parameters.domain.has_moving_frame())
         out << body.path << ": " << print_rounded(body.room_ahead)
             << " m of room ahead, enough for "
             << print_rounded(body.room_ahead / parameters.time.end_time) << " m/s until the end.\n";

@@ -36,6 +36,14 @@ refuse "an unknown option" --chek good.prm
 printf 'include good.prm\nsubsection Fluid\n  set Densitty = 3\nend\nsubsection Fuild\nend\n' >unknown.prm
 refuse "unknown entry and section" unknown.prm
 printf 'include good.prm\nsubsection Body shark\n  set Density = 3\nend\n' >shark.prm
+refuse "an entry without its sections" good.prm -D "End time=2"
+refuse "an entry of several regions" good.prm -D "Young's modulus=2"
+refuse "a section without the one around it" good.prm -D "Region tail/Young's modulus=2"
+mkdir -p prm/deep
+cp good.prm prm/deep/good_case.prm
+refuse "a case without its folder and ending" good_case
+refuse "a case without its ending" good
+refuse "a case that is nowhere" bad_case
 refuse "a body that is not listed" shark.prm
 override "Fluid/Density" much
 override "Time/Scheme" leapfrog
@@ -161,4 +169,6 @@ echo "* the case is good, with warnings"
 "$CAUDAL" --check --fast good.prm -D "Body fish/Gait/Type=travelling wave" -D "Refinement/Vorticity threshold=0.1" \
   -D "Refinement/Largest number of cells=200" -D "Domain/Cells=16,16" -D "Domain/Size=8,8" \
   -D "Body fish/Shape/Position=3,4" | grep "Refinement"
+"$CAUDAL" --check --fast good.prm -D "Body fish/Gait/Type=travelling wave" -D "Domain/Frame=fish" | grep "room" &&
+  echo "    room, where the grid follows the fish"
 [ ! -e results ] || echo "    there is a folder of results"

@@ -38,6 +38,9 @@ echo "    at $(last_time results)"
 
 echo "* a finished run is kept, refused or replaced"
 run disc.prm -D "Time/End time=0.02"
+for file in printed results/log.txt; do
+  grep "earlier run" $file | sed 's/^/    /'
+done
 echo "    $(ls -d results*), at $(last_time results) and $(last_time results.1)"
 list results.1
 run disc.prm -D "Time/End time=0.02" -D "Output/Existing results=refuse"

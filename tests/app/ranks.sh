@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# On how many ranks scripts/swim runs a case: on a machine that others use on one, which it says.
+# How scripts/swim calls the program: with a case, and on how many ranks; on a machine that others use
+# on one, which it says.
 root=$CAUDAL_SOURCE_DIR
 . "$root/scripts/environment"
 
@@ -32,4 +33,8 @@ export CAUDAL=program MPIRUN=$PWD/fake
 CAUDAL_RANKS=3 "$root/scripts/swim" case.prm
 OMPI_MCA_mpi_yield_when_idle=0 CAUDAL_RANKS=3 "$root/scripts/swim" --resume folder
 CAUDAL=$PWD/fake "$root/scripts/swim" passage.prm
+export CAUDAL_RANKS=2
+"$root/scripts/swim" -D "Time/End time=2"
+"$root/scripts/swim" first_fish -D "Time/End time=2"
+"$root/scripts/swim" output/first_fish
 CAUDAL=$PWD/fake "$root/scripts/swim" --help

@@ -57,6 +57,8 @@ void test_groups()
               << g.k * std::exp(z * g.compute_spread()) << ", printed " << group.lower_k << " to "
               << group.upper_k << '\n';
   }
+  for (const char *species : {"brown trout", "Salmo trutta", "esox lucius"})
+    std::cout << "  " << species << ": " << find_swim_group(species, "").name << '\n';
 }
 
 void test_distance()

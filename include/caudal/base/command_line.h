@@ -35,6 +35,9 @@ namespace caudal
 
   /** How to call the program. */
   std::string get_help();
+
+  /** What users call to run it: $CAUDAL_COMMAND, which scripts/swim sets, or caudal. */
+  std::string get_command();
 } // namespace caudal
 
 #endif

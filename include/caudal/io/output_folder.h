@@ -65,6 +65,12 @@ namespace caudal
     /** add() for a file that only grows, so that checkpoints can say how long it was. */
     std::string add_table(const std::string &name) const;
 
+    /** Where the results of an earlier run, which were here, are kept; empty if there were none. */
+    const std::string &get_kept_results() const
+    {
+      return kept_results;
+    }
+
     /** Writes the complete parameters of the run to parameters.prm. Collective. */
     void write_parameters(const std::string &text) const;
 
@@ -102,6 +108,7 @@ namespace caudal
     std::unique_ptr<Manifest>     manifest; // on rank 0
     mutable std::set<std::string> tables;
     mutable std::string           parameters;
+    std::string                   kept_results; // on rank 0
 
     void prepare(Start start, ExistingResults existing);
     void make_room(Progress progress, ExistingResults existing);

@@ -20,7 +20,7 @@ namespace caudal
   std::string format_duration(double seconds);
 
   /**
-   * Tells how far the run is: simulated time and its end, percent, steps a
+   * Tells how far the run is: simulated time and its end, percent of that, steps a
    * second, and the remaining wall time, which assumes that simulated time goes
    * on as fast as it did so far. On a terminal one line is rewritten, four
    * times a second; elsewhere a plain line appears every five percent, or
