@@ -12,7 +12,7 @@ namespace caudal
   /**
    * Preconditioner of the CoupledEquations without augmentation, block triangular: first pressures
    * and bodies together by their SchurComplement, with the diagonal
-   *   D = diag(A - gamma B^T M_p^-1 B)
+   *   D = diag(A - gamma B^T M_p^-1 B), without convection,
    * in place of A; then what viscosity and grad-div resist, dq -= (gamma + mu) M_p^-1 r_p in each
    * cell (Cahouet & Chabard 1988, doi:10.1002/fld.1650080802); then the velocities by a few
    * conjugate residuals with diag(A),
