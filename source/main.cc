@@ -74,7 +74,8 @@ namespace
   /**
    * A process that no launcher has started is alone. Open MPI starts a daemon beside it and looks
    * for networks all the same, which takes as long as all else in a short run, unless its
-   * environment says that there will be nobody to talk to.
+   * environment says that there will be nobody to talk to. All processes that are alone share a
+   * folder for sessions, which one that ends removes when another is about to use it.
    */
   void tell_mpi_of_solitude()
   {
@@ -83,6 +84,7 @@ namespace
         return;
     const bool overwrites = false; // what users have set
     setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrites);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", overwrites);
     setenv("OMPI_MCA_pml", "ob1", overwrites);
     setenv("OMPI_MCA_btl", "self", overwrites);
     setenv("OMPI_MCA_sharedfp", "^sm", overwrites); // its files would be the daemon's

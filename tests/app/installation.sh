@@ -18,7 +18,7 @@ ls prefix/share/caudal/scripts
 
 scripts=$PWD/prefix/share/caudal/scripts
 same "scripts/swim" "$(CAUDAL_RANKS=1 "$scripts/swim" --version)" "$version"
-"$scripts/swim" --check --fast "$PWD/prefix/share/caudal/prm/benchmarks/ring.prm" >/dev/null &&
+CAUDAL_RANKS=1 "$scripts/swim" --check --fast "$PWD/prefix/share/caudal/prm/benchmarks/ring.prm" >/dev/null &&
   echo "scripts/swim checks an installed case"
 "$scripts/benchmark" --list >/dev/null && echo "scripts/benchmark lists its cases"
 "$scripts/sweep" --help >/dev/null && echo "scripts/sweep tells its options"
