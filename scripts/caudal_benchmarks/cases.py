@@ -338,7 +338,7 @@ CASES = {case.name: case for case in (
     Case("sphere_re100", "fixed sphere in a stream, Reynolds number 100", "23 min",
          three_d.evaluate_drag(100, 1.085, has_wake=True),
          curves=("sphere: force x of the fluid", "force x by control volume")),
-    Case("elastic_plate", "elastic plate on the floor of a channel, steady", "5 min",
+    Case("elastic_plate", "elastic plate on the floor of a channel, steady", "3 min",
          three_d.evaluate_elastic_plate, curves=("plate: force x of the fluid",)),
     Case("ellipsoid_start", "impulsive start of an ellipsoid: added masses", "5 min",
          three_d.evaluate_ellipsoid_start, three_d.ELLIPSOID_VARIANTS),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A parameter file as a sweep sees it: its values before it runs, and what decides on its results."""
 
+import functools
 import hashlib
 import pathlib
 import re
@@ -22,6 +23,13 @@ def call(arguments, **options):
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                             check=False, env=ENVIRONMENT, **options)
     return result.stdout, result.returncode
+
+
+@functools.cache
+def check_fast(*arguments):
+    """What the program says of a case before it tries a step: on fine grids in 3D after a minute, so
+    each is asked once."""
+    return call(["--check", "--fast", *arguments])
 
 
 def find_error(text):
@@ -125,5 +133,5 @@ class Case:
     def find_fault(self, point):
         """Why the program would refuse a run; empty if it would not. That it could not be started, as
         MPI's folders may be lacking for a moment, says nothing of the run."""
-        text, code = call(["--check", "--fast", self.prm, *self.make_options(point)])
+        text, code = check_fast(self.prm, *self.make_options(point))
         return find_cause(text, code) if code != 0 and find_error(text) else ""

@@ -21,14 +21,6 @@ namespace caudal
     /** The deepest includes: more of them are a mistake. */
     constexpr std::size_t largest_depth = 50;
 
-    std::string join(const std::vector<std::string> &names, const std::string &separator)
-    {
-      std::string result;
-      for (const std::string &name : names)
-        result += (result.empty() ? "" : separator) + name;
-      return result;
-    }
-
     std::string get_path(const std::vector<std::string> &sections, const std::string &entry)
     {
       return sections.empty() ? entry : join(sections, "/") + "/" + entry;

@@ -20,6 +20,20 @@ namespace caudal
     return name;
   }
 
+  std::string join(const std::vector<std::string> &names, const std::string &separator)
+  {
+    return join(names, separator, separator);
+  }
+
+  std::string join(const std::vector<std::string> &names, const std::string &separator,
+                   const std::string &last_separator)
+  {
+    std::string result;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      result += (i == 0 ? "" : i + 1 == names.size() ? last_separator : separator) + names[i];
+    return result;
+  }
+
   std::size_t find_comment(const std::string &text)
   {
     std::size_t hash = text.find('#');

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <caudal/base/parameter_text.h>
 #include <caudal/base/suggestions.h>
 
 #include <algorithm>
@@ -14,15 +15,6 @@ namespace caudal
 
     /** More places of the same name than these are no help. */
     constexpr std::size_t most_places = 4;
-
-    std::string join(const Names &names, const std::string &separator,
-                     const std::string &last_separator)
-    {
-      std::string result;
-      for (std::size_t i = 0; i < names.size(); ++i)
-        result += (i == 0 ? "" : i + 1 == names.size() ? last_separator : separator) + names[i];
-      return result;
-    }
 
     template <class Named>
     Names get_names(const std::vector<Named> &list)
@@ -134,8 +126,7 @@ namespace caudal
       for (std::string &one : meant)
         one = "<" + one + ">";
       return (meant.empty() ? "" : "Did you mean " + join(meant, ", ", " or ") + "? ") +
-             (known.empty() ? "There are none there."
-                            : "Known there: " + join(known, ", ", ", ") + ".");
+             (known.empty() ? "There are none there." : "Known there: " + join(known, ", ") + ".");
     }
   } // namespace
 

@@ -152,7 +152,7 @@ namespace caudal
         out << " along (" << print_axis(thinnest.direction) << ')';
       }
       out << ".\n";
-      // Where the grid goes with a body the sides do, too.
+      // Sides that move with the grid leave no such room.
       if (body.swims() && !parameters.domain.has_moving_frame())
         out << body.path << ": " << print_rounded(body.room_ahead)
             << " m of room ahead, enough for "

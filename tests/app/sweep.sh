@@ -50,9 +50,8 @@ sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages
 sweep salmon.prm "Surface/Cells along=1,2" --folder fails --no-pages --retry | grep "2: failed"
 /usr/bin/python3 -c 'import pandas
-table = pandas.read_csv("fails/sweep.csv")
-table["remark"] = table["remark"].str[:13]
-print(table[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())'
+print(pandas.read_csv("fails/sweep.csv")[["Surface/Cells along", "state", "remark"]].drop_duplicates().to_string())' |
+  sed "s|$PWD/||; s/  */ /g" | cut -c 1-110
 
 echo "* a value that the program refuses"
 sweep salmon.prm "Surface/Cells along=1,0" --folder refused

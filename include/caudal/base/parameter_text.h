@@ -4,11 +4,17 @@
 
 #include <istream>
 #include <string>
+#include <vector>
 
 namespace caudal
 {
   /** A name, in which repeated blanks count as one. */
   std::string tidy_name(const std::string &text);
+
+  /** The names with the separator between them, and another one, if given, before the last. */
+  std::string join(const std::vector<std::string> &names, const std::string &separator);
+  std::string join(const std::vector<std::string> &names, const std::string &separator,
+                   const std::string &last_separator);
 
   /** Where a comment begins in @p text: at a '#' at its start or behind a blank. */
   std::size_t find_comment(const std::string &text);
