@@ -197,13 +197,6 @@ class Run:
             raise MissingData("solution.pvd lists no block <fluid>.")
         return times
 
-    def get_nearest_times(self, wanted):
-        """The outputs nearest to the wanted times [s], each of them once."""
-        times = np.array(self.times)
-        gap = np.diff(times).max() if len(times) > 1 else 0.
-        nearest = [times[np.argmin(abs(times - t))] for t in wanted if t <= times[-1] + gap]
-        return sorted(set(nearest))
-
     def find_blocks(self, time):
         """File names by block name at the time of an output."""
         if time not in self.files:
