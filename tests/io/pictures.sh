@@ -34,7 +34,7 @@ from caudal import Run
 from caudal_plots import flow, history, phases
 
 # A beat of 0.5 s from 3.77 s on: even phases, where the outputs allow it.
-for gap in (0.05, 0.07, 0.2, 1.):
+for gap in (0.025, 0.05, 0.07, 0.2, 1.):
     times = phases.choose_phases(np.arange(0, 5, gap), 3.77, 0.5, phases.SEQUENCE)
     print(f"outputs each {gap:g} s:", *(f"{(time - 3.77) / 0.5:.2f}" for time in times))
 
