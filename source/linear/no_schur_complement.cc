@@ -23,8 +23,7 @@ namespace caudal
     return false;
   }
 
-  void SchurComplement::reinit(const FieldVector &, const FieldVector &, unsigned int,
-                               const Triplets &)
+  void SchurComplement::reinit(const FieldVector &, std::vector<FieldVector>, const Triplets &)
   {
     AssertThrow(false, ExcMessage("Solver/Method: this program was built without Trilinos' Epetra "
                                   "and ML, which <iterative> needs. Choose direct or automatic."));

@@ -176,8 +176,7 @@ namespace caudal
         , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
     {}
 
-    void     set_divergence(const FieldVector &u, const FieldVector &q, unsigned int block_size,
-                            const Triplets &entries);
+    void     set_divergence(const FieldVector &u, const Triplets &entries);
     void     set_up_cycle();
     void     find_enclosed(const Matrix &G_transposed);
     Triplets collect_near(const Matrix &H) const;
@@ -187,11 +186,11 @@ namespace caudal
     const MPI_Comm communicator;
     const bool     is_root;
 
-    IndexSet              owned_u, owned_q, owned_x;
-    FieldVector           with_velocities; // zeros
-    unsigned int          block_size = 1;
-    std::optional<Matrix> B, B_transposed;
-    bool                  is_singular = false; // for constant multipliers
+    IndexSet                 owned_u, owned_q, owned_x;
+    FieldVector              with_velocities; // zeros
+    std::vector<FieldVector> smooth;
+    std::optional<Matrix>    B, B_transposed;
+    bool                     is_singular = false; // for constant multipliers
 
     double                            s = 1;
     TrilinosWrappers::MPI::Vector     inverse_diagonal; // of D
@@ -207,39 +206,36 @@ namespace caudal
     Triplets                             G, E; // of the last call of couple()
   };
 
-  void SchurComplement::Implementation::set_divergence(const FieldVector &u, const FieldVector &q,
-                                                       const unsigned int n_per_cell,
+  void SchurComplement::Implementation::set_divergence(const FieldVector &u,
                                                        const Triplets    &entries)
   {
     with_velocities.reinit(u);
-    owned_u    = u.locally_owned_elements();
-    owned_q    = q.locally_owned_elements();
-    block_size = n_per_cell;
+    owned_u = u.locally_owned_elements();
+    owned_q = smooth.front().locally_owned_elements();
     B.emplace(assemble(entries, false, owned_q, owned_u, communicator));
     B_transposed.emplace(assemble(entries, true, owned_u, owned_q, communicator));
 
-    FieldVector constant(owned_q, communicator), gradient(owned_u, communicator);
-    for (unsigned int i = 0; i < constant.locally_owned_size(); i += block_size)
-      constant.local_element(i) = 1;
-    multiply(*B_transposed, gradient, constant);
-    is_singular = gradient.linfty_norm() < 1e-10 * B->linfty_norm();
+    FieldVector gradient(owned_u, communicator);
+    multiply(*B_transposed, gradient, smooth.front());
+    is_singular = gradient.linfty_norm() < 1e-10 * B->linfty_norm() * smooth.front().linfty_norm();
   }
 
   void SchurComplement::Implementation::set_up_cycle()
   {
     const Epetra_CrsMatrix &matrix = S.trilinos_matrix();
-    // In each component of a cell's multipliers the constant vector is smooth.
-    Epetra_MultiVector smooth(matrix.DomainMap(), block_size);
-    for (unsigned int c = 0; c < block_size; ++c)
-      for (int i = c; i < smooth.MyLength(); i += block_size)
-        smooth[c][i] = 1;
+    Epetra_MultiVector      null_space(matrix.DomainMap(), smooth.size());
+    for (unsigned int k = 0; k < smooth.size(); ++k)
+      std::copy_n(smooth[k].begin(), null_space.MyLength(), null_space[k]);
     Teuchos::ParameterList parameters;
     parameters.set("prec type", "MGV");
     parameters.set("max levels", 10);
-    parameters.set("PDE equations", static_cast<int>(block_size));
+    parameters.set("PDE equations", null_space.NumVectors());
     parameters.set("aggregation: type", "Uncoupled");
     parameters.set("aggregation: threshold", 0.);
-    parameters.set("eigen-analysis: type", "Anorm"); // the others start from random numbers
+    // Estimates of the largest eigenvalue start from random numbers; the sum of a row's absolute
+    // values, which does not, is 2.4 times as large in 2D and about three times in 3D.
+    parameters.set("eigen-analysis: type", "Anorm");
+    parameters.set("aggregation: damping factor", 3.);
     parameters.set("smoother: type", "Gauss-Seidel");
     parameters.set("smoother: sweeps", 2);
     parameters.set("smoother: Gauss-Seidel efficient symmetric", true);
@@ -248,8 +244,8 @@ namespace caudal
     parameters.set("coarse: max size", 500);
     parameters.set("ML output", 0);
     parameters.set("null space: type", "pre-computed");
-    parameters.set("null space: dimension", smooth.NumVectors());
-    parameters.set("null space: vectors", smooth.Values());
+    parameters.set("null space: dimension", null_space.NumVectors());
+    parameters.set("null space: vectors", null_space.Values());
     cycle.initialize(matrix, parameters);
   }
 
@@ -347,10 +343,11 @@ namespace caudal
     return true;
   }
 
-  void SchurComplement::reinit(const FieldVector &u, const FieldVector &q,
-                               const unsigned int block_size, const Triplets &B)
+  void SchurComplement::reinit(const FieldVector &u, std::vector<FieldVector> smooth,
+                               const Triplets &B)
   {
-    implementation->set_divergence(u, q, block_size, B);
+    implementation->smooth = std::move(smooth);
+    implementation->set_divergence(u, B);
   }
 
   void SchurComplement::set_diagonal(const FieldVector &D, const double s)

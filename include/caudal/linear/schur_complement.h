@@ -37,12 +37,12 @@ namespace caudal
     static bool is_available();
 
     /**
-     * Sets B. @p u and @p q have the layouts of these vectors, @p u with ghost entries for the
-     * columns of the rows of B that this rank owns. Of q, @p block_size at a time, with its first
-     * unknown on the same rank, belong to a cell. @p B: the rows that this rank owns.
+     * Sets B. @p u has the layout of these vectors, with ghost entries for the columns of the rows
+     * of B that this rank owns. @p smooth: multipliers that S hardly sees, as many as a cell has
+     * unknowns, the first one constant; the coarser levels of the multigrid have them all. The
+     * unknowns of a cell stand together and on one rank. @p B: the rows that this rank owns.
      */
-    void reinit(const FieldVector &u, const FieldVector &q, unsigned int block_size,
-                const Triplets &B);
+    void reinit(const FieldVector &u, std::vector<FieldVector> smooth, const Triplets &B);
 
     /** Sets D and s, after which couple() is due. */
     void set_diagonal(const FieldVector &D, double s);
