@@ -42,6 +42,7 @@ class TimedRun:
         self.shares = {name: float(share) for name, _, share in sections}
         iterations = Run(folder).get("iterations")
         self.iterations, self.iterations_per_step = sum(iterations), iterations.mean()
+        self.largest_iterations = int(iterations.max())
         self.steps = [(float(match.group(1)), int(match.group(2)), wall, cpu)
                       for wall, cpu, line in lines
                       if (match := re.match(r"t = (\S+) of .*  step (\d+)", line))]

@@ -11,9 +11,9 @@ namespace caudal
   namespace
   {
     constexpr double mebibyte     = 1024. * 1024.;
-    constexpr double base_of_rank = 150 * mebibyte, bytes_of_cell = 1e5, bytes_near = 3e4;
+    constexpr double base_of_rank = 150 * mebibyte, bytes_of_cell = 6e4, bytes_near = 3e4;
     // Of a cell all ranks share the work, what is near the bodies is rank 0's.
-    constexpr double seconds_of_cell = 1.5e-3, seconds_near = 2e-4;
+    constexpr double seconds_of_cell = 7e-4, seconds_near = 1e-4;
 
     constexpr double longest_sensible_run = 14 * 86400.; // [s]
 

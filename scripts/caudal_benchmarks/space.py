@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""scripts/benchmark space: what a step costs in three dimensions, by the iterative method.
+
+A step is the mean of the second and third one: the first also makes the multigrid of the pressure, as
+does each change of the grid. A body at rest keeps its factors from then on."""
+
+import argparse
+import pathlib
+
+from . import hardware, report, timed_run
+from .figures import Figure
+from .timed_run import Case
+
+PRM = "prm/benchmarks/ellipsoid_wake.prm"
+STEPS = 3
+
+
+def make_small(levels):
+    """The ellipsoid of ellipsoid.prm with its wake: 2,144 cells on four levels."""
+    return ("Domain/Levels=%d" % levels, "Body body/Shape/Length=0.8", "Body body/Shape/Thickness=0.3",
+            "Body body/Shape/Width=0.2",
+            "Refinement/Level expression=if(x>0.3,if(x<1.6,if(abs(y-0.5)<0.2,if(abs(z-0.5)<0.2,"
+            f"{levels - 1},0),0),0),0)")
+
+
+HELD = ("Body body/Region body/Material=none", "Body body/Region body/Motion=fixed",
+        "Body body/Region body/Feedback damping=1e9")
+STIFF = ("Body body/Region body/Young's modulus=1e5",)
+MEBIBYTES = 1024.  # of a GiB
+
+# Name, overrides, step [s], ranks and the upper limits of what is measured.
+PLAN = (("small", make_small(4), 0.005, 1, {"cpu": 3, "memory": 0.6}),
+        ("small_stiff", make_small(4) + STIFF, 0.005, 1, {}),
+        ("small_held", make_small(4) + HELD, 0.005, 1, {}),
+        ("half", make_small(5), 0.0025, 1, {}),
+        ("elastic", (), 0.00125, 1, {}),
+        ("elastic", (), 0.00125, 2, {"wall": 45, "memory": 6}),
+        ("held", HELD, 0.00125, 1, {}),
+        ("held", HELD, 0.00125, 2, {"wall": 20, "memory": 6}))
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="scripts/benchmark space",
+        description="Prints what a step of an ellipsoid costs, elastic and held, on 2,144 cells and "
+        "on 50,920 with one and two ranks, beside the gates. Wall times are for idle cores. 10 "
+        "minutes on two of an AMD EPYC.")
+    parser.add_argument("--small", action="store_true", help="the small ones only: a minute")
+    parser.add_argument("--folder", type=pathlib.Path,
+                        default=timed_run.RESULTS / "benchmarks" / "space",
+                        help="where the runs go")
+    return parser.parse_args(arguments)
+
+
+def measure(name, overrides, folder, step, ranks, gates):
+    """Figures of a run: seconds of a step, memory, iterations."""
+    run = timed_run.run(Case(name, PRM, (*overrides, f"Time/Step={step}")),
+                        folder / f"{name}_{ranks}", end_time=STEPS * step, ranks=ranks)
+    cpu, _, steps = run.get_last_steps(STEPS - 1)
+    wall = run.get_last_wall(STEPS - 1) / steps
+    limits = {name: (0, limit) for name, limit in gates.items()}
+    note = f"{run.cells:,} cells, {ranks} rank{'s' if ranks > 1 else ''}"
+    return [Figure("CPU time of a step [s]", cpu / steps, gate=limits.get("cpu"), note=note),
+            Figure("wall time of a step [s]", wall, gate=limits.get("wall")),
+            Figure("memory [GiB]", run.memory / MEBIBYTES, gate=limits.get("memory")),
+            Figure("largest number of iterations", run.largest_iterations, gate=(0, 60))]
+
+
+def compare(name, figure, other, gate):
+    return Figure(name, figure.value / other.value, gate=gate)
+
+
+def main(arguments):
+    options = parse(arguments)
+    options.folder.mkdir(parents=True, exist_ok=True)
+    print(f"{hardware.get_processor()}; {timed_run.get_banner()}")
+    print(report.format_row(report.HEADER))
+    tables = {}
+    for name, overrides, step, ranks, gates in PLAN[:3] if options.small else PLAN:
+        figures = measure(name, overrides, options.folder, step, ranks, gates)
+        if name == "half":
+            figures.append(compare("iterations over those of twice the spacing and step", figures[-1],
+                                   tables["small, 1"][-1], (0, 1.3)))
+        if ranks == 2:
+            figures.append(compare("one rank over two", tables[f"{name}, 1"][1], figures[1],
+                                   (1.7, 2.2)))
+        tables[f"{name}, {ranks}"] = figures
+        for figure in figures:
+            print(report.format_row(report.make_row(f"{name}, {ranks}", figure)), flush=True)
+    report.write_markdown(options.folder / "table.md", tables)
+    missed = [name for name, figures in tables.items() if not all(f.is_ok for f in figures)]
+    print("Gates missed: " + ", ".join(missed) if missed else "All gates met.")
+    return 1 if missed else 0
