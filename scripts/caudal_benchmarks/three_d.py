@@ -74,19 +74,22 @@ def measure_wake(run):
     radii = np.linalg.norm(offsets, axis=1)
     axial = np.linalg.norm(offsets[:, 1:], axis=1) < 1e-9
     length = find_zero(radii[axial], velocities[axial, 0]) - 0.5
-    # Two arcs round the sphere in the plane z = 0; the angle at which the tangential velocity
-    # changes its sign goes on linearly to the surface.
-    angles = []
+    # On arcs round the sphere in the plane z = 0 the tangential velocity, zero on the surface, is a
+    # polynomial of the distance from it; separation is where its slope on the surface is zero.
+    distances, along = [], []
     for radius in np.unique(radii[~axial].round(3)):
         arc = ~axial & (abs(radii - radius) < 1e-3)
         theta = np.arctan2(offsets[arc, 1], -offsets[arc, 0])
-        along = velocities[arc, 0] * np.sin(theta) + velocities[arc, 1] * np.cos(theta)
-        angles.append((radius, math.degrees(find_zero(theta, -along))))
-    (near, first), (far, second) = angles
-    separation = first - (near - 0.5) * (second - first) / (far - near)
+        distances.append(radius - 0.5)
+        along.append(velocities[arc, 0] * np.sin(theta) + velocities[arc, 1] * np.cos(theta))
+    powers = np.vander(distances, len(distances) + 1, increasing=True)[:, 1:]
+    slopes = np.linalg.solve(powers, along)[0]
+    separation = math.degrees(find_zero(theta, -slopes))
+    signs = ", ".join(f"{math.degrees(find_zero(theta, -values)):.1f} at {distance:.3g} D"
+                      for distance, values in zip(distances, along))
     return [Figure("recirculation length [D]", length, 0.875, (0.96 * 0.87, 1.04 * 0.88)),
             Figure("separation angle [degrees]", separation, 127, (125, 129),
-                   f"{first:.1f} and {second:.1f} degrees at {near:g} and {far:g} D")]
+                   f"the velocity changes its sign at {signs} off the surface")]
 
 
 # The three translations of an ellipsoid with the axes 4 : 2 : 1.
