@@ -86,7 +86,7 @@ SERIES = {series.name: series for series in (
     Series("plane_bodies", "Bodies in proportion, 2D: a fish in each piece of the channel", FISH,
            (20, 3), (180, 27), 4, "bodies", (2, 12)),
     Series("space", "One size, 3D: an ellipsoid, iterative method", ELLIPSOID, (2, 1, 1), (4, 2, 2),
-           4, "nothing", (2, 3)),
+           5, "nothing", (2, 3)),
     Series("space_water", "Water in proportion, 3D: an ellipsoid in a longer and longer channel",
            ELLIPSOID, (2, 1, 1), (16, 8, 8), 2, "water", (2, 3)),
     Series("space_bodies", "Bodies in proportion, 3D: an ellipsoid in each piece of the channel",
