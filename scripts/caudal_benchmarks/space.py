@@ -79,7 +79,7 @@ def main(arguments):
     for name, overrides, step, ranks, gates in PLAN[:3] if options.small else PLAN:
         figures = measure(name, overrides, options.folder, step, ranks, gates)
         if name == "half":
-            figures.append(compare("iterations over those of twice the spacing and step", figures[-1],
+            figures.append(compare("iterations over those with twice h and dt", figures[-1],
                                    tables["small, 1"][-1], (0, 1.3)))
         if ranks == 2:
             figures.append(compare("one rank over two", tables[f"{name}, 1"][1], figures[1],
