@@ -18,10 +18,9 @@ STEPS, COUNTED = 4, 2
 
 def make_small(levels):
     """The ellipsoid of ellipsoid.prm with its wake: 2,144 cells on four levels."""
-    return ("Domain/Levels=%d" % levels, "Body body/Shape/Length=0.8", "Body body/Shape/Thickness=0.3",
-            "Body body/Shape/Width=0.2",
-            "Refinement/Level expression=if(x>0.3,if(x<1.6,if(abs(y-0.5)<0.2,if(abs(z-0.5)<0.2,"
-            f"{levels - 1},0),0),0),0)")
+    region = f"if(x>0.3,if(x<1.6,if(abs(y-0.5)<0.2,if(abs(z-0.5)<0.2,{levels - 1},0),0),0),0)"
+    return (f"Domain/Levels={levels}", f"Refinement/Level expression={region}",
+            "Body body/Shape/Length=0.8", "Body body/Shape/Thickness=0.3", "Body body/Shape/Width=0.2")
 
 
 HELD = ("Body body/Region body/Material=none", "Body body/Region body/Motion=fixed",
@@ -44,9 +43,9 @@ def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="scripts/benchmark space",
         description="Prints what a step of an ellipsoid costs, elastic and held, on 2,144 cells and "
-        "on 50,920 with one and two ranks, beside the gates. Wall times are for idle cores. 10 "
+        "on 50,920 with one and two ranks, beside the gates. Wall times are for idle cores. 8 "
         "minutes on two of an AMD EPYC.")
-    parser.add_argument("--small", action="store_true", help="the small ones only: a minute")
+    parser.add_argument("--small", action="store_true", help="the first three, small ones only: half a minute")
     parser.add_argument("--folder", type=pathlib.Path,
                         default=timed_run.RESULTS / "benchmarks" / "space",
                         help="where the runs go")
@@ -59,7 +58,7 @@ def measure(name, overrides, folder, step, ranks, gates):
                         folder / f"{name}_{ranks}", end_time=STEPS * step, ranks=ranks)
     cpu, _, steps = run.get_last_steps(COUNTED)
     wall = run.get_last_wall(COUNTED) / steps
-    limits = {name: (0, limit) for name, limit in gates.items()}
+    limits = {quantity: (0, limit) for quantity, limit in gates.items()}
     note = f"{run.cells:,} cells, {ranks} rank{'s' if ranks > 1 else ''}"
     return [Figure("CPU time of a step [s]", cpu / steps, gate=limits.get("cpu"), note=note),
             Figure("wall time of a step [s]", wall, gate=limits.get("wall")),

@@ -2,6 +2,9 @@
 #include <caudal/linear/conjugate_residuals.h>
 #include <caudal/viscous/block_preconditioner.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 #include <algorithm>
 
 namespace caudal
