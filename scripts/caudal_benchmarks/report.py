@@ -54,7 +54,8 @@ def plot(path, case, runs, figures):
         header = next(name for name in runs[0].columns if name.partition(" [")[0] == column)
         axis.set_ylabel(header.replace(": ", "\n", 1).replace(" of ", "\nof ", 1)
                         .replace(" by ", "\nby ", 1))
-        limit_to_late_values(axis, runs, column)
+        if not case.from_start:
+            limit_to_late_values(axis, runs, column)
         any_reference |= draw_reference(axis, column, runs[0], figures)
     if len(runs) > 1:
         axes[0, 0].legend()

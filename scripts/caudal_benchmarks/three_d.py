@@ -80,7 +80,7 @@ def measure_wake(run):
     for radius in np.unique(radii[~axial].round(3)):
         arc = ~axial & (abs(radii - radius) < 1e-3)
         theta = np.arctan2(offsets[arc, 1], -offsets[arc, 0])
-        distances.append(radius - 0.5)
+        distances.append(radii[arc].mean() - 0.5)
         along.append(velocities[arc, 0] * np.sin(theta) + velocities[arc, 1] * np.cos(theta))
     powers = np.vander(distances, len(distances) + 1, increasing=True)[:, 1:]
     slopes = np.linalg.solve(powers, along)[0]
