@@ -336,7 +336,7 @@ CASES = {case.name: case for case in (
     Case("sphere_re20", "fixed sphere in a stream, Reynolds number 20", "6 min",
          three_d.evaluate_drag(20, 2.85),
          curves=("sphere: force x of the fluid", "force x by control volume")),
-    Case("sphere_re100", "fixed sphere in a stream, Reynolds number 100", "23 min",
+    Case("sphere_re100", "fixed sphere in a stream, Reynolds number 100", "21 min",
          three_d.evaluate_drag(100, 1.085, has_wake=True),
          curves=("sphere: force x of the fluid", "force x by control volume")),
     Case("elastic_plate", "elastic plate on the floor of a channel, steady", "9 min",
@@ -348,7 +348,7 @@ CASES = {case.name: case for case in (
     Case("settling_sphere_e1", "sinking sphere, Reynolds number 1.5", "16 min",
          three_d.evaluate_settling_sphere(0.038, 0.947, 0.947),
          curves=("sphere: w of centre of mass", "sphere: z of centre of mass"), from_start=True),
-    Case("settling_sphere_e4", "sinking sphere, Reynolds number 32", "18 min",
+    Case("settling_sphere_e4", "sinking sphere, Reynolds number 32", "11 min",
          three_d.evaluate_settling_sphere(0.128, 0.955, 0.96),
          curves=("sphere: w of centre of mass", "sphere: z of centre of mass"), from_start=True),
 )}

@@ -77,8 +77,9 @@ def measure_wake(run):
     # On arcs round the sphere in the plane z = 0 the tangential velocity, zero on the surface, is a
     # polynomial of the distance from it; separation is where its slope on the surface is zero.
     distances, along = [], []
-    for radius in np.unique(radii[~axial].round(3)):
-        arc = ~axial & (abs(radii - radius) < 1e-3)
+    outwards = np.flatnonzero(~axial)[np.argsort(radii[~axial])]
+    for arc in np.split(outwards, np.flatnonzero(np.diff(radii[outwards]) > 1e-3) + 1):
+        arc.sort()
         theta = np.arctan2(offsets[arc, 1], -offsets[arc, 0])
         distances.append(radii[arc].mean() - 0.5)
         along.append(velocities[arc, 0] * np.sin(theta) + velocities[arc, 1] * np.cos(theta))
