@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace caudal
@@ -222,8 +223,10 @@ namespace caudal
   template <int dim>
   bool adaptation_is_needed(const Operators<dim> &operators, const State<dim> &state)
   {
-    // Half a cell more than the kernel's support, for what the prediction misses.
-    return !make_body_cells(operators, state.bodies, state.frame, 0.5)
+    // Half a cell more than the kernel's support, for what the prediction misses; but no more than
+    // adapt() provides, or it would be called in each step.
+    const double margin = std::min(0.5, operators.parameters.refinement.body_margin);
+    return !make_body_cells(operators, state.bodies, state.frame, margin)
                 .is_covered_by(operators.triangulation);
   }
 

@@ -162,7 +162,7 @@ cat >ball.prm <<END
 set Dimension = 3
 set Bodies    = ball
 subsection Time
-  set End time = 1e5
+  set End time = 2e5
   set Step     = 0.01
 end
 subsection Domain
