@@ -10,6 +10,15 @@ using namespace dealii;
 
 namespace caudal
 {
+  namespace
+  {
+    /**
+     * Sums of steps are wrong by less than this part of a step. Steps that differ by it only would
+     * make solvers take matrices for new ones.
+     */
+    constexpr double round_off = 1e-9;
+  } // namespace
+
   void TimeParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Time");
@@ -111,6 +120,8 @@ namespace caudal
     // Predicted and computed positions of BDF2 differ by a term of third order in the step.
     const double order = parameters->is_explicit() || previous_step == 0 ? 2 : 3;
     time += step;
+    if (std::abs(parameters->end_time - time) < round_off * step)
+      time = parameters->end_time;
     older_step      = previous_step;
     previous_step   = step;
     convective_rate = indicators.convective_cfl / step;
@@ -156,9 +167,9 @@ namespace caudal
       step = std::min(step, parameters->largest_step);
     // The last two steps share what is left, so that none of them is tiny.
     const double left = parameters->end_time - time;
-    if (left < step * (1 + 1e-9))
+    if (left < step * (1 - round_off))
       step = left;
-    else if (left < 2 * step * (1 - 1e-9))
+    else if (left > step * (1 + round_off) && left < 2 * step * (1 - round_off))
       step = left / 2;
   }
 
