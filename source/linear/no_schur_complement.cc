@@ -34,7 +34,8 @@ namespace caudal
     Assert(false, ExcInternalError());
   }
 
-  void SchurComplement::couple(Triplets, Triplets, unsigned int, const std::vector<BodyPlaces> &)
+  void SchurComplement::couple(Triplets, Triplets, const IndexSet &,
+                               const std::vector<BodyPlaces> &)
   {
     Assert(false, ExcInternalError());
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #ifdef CAUDAL_ITERATIVE_SOLVER
 
-#include <caudal/base/collective.h>
+#include "window.h"
+
 #include <caudal/linear/near_system.h>
 #include <caudal/linear/schur_complement.h>
 
@@ -14,10 +15,8 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 
 using namespace dealii;
 
@@ -34,93 +33,90 @@ namespace caudal
      */
     constexpr double regularisation = 1e-6;
 
-    struct Entry
-    {
-      int    row, column;
-      double value;
-
-      template <class Archive>
-      void serialize(Archive &archive, unsigned int /*version*/)
-      {
-        archive &row &column &value;
-      }
-    };
-
     /** All ranks' entries in the rows that this rank owns, its rows being consecutive ones. */
-    std::vector<Entry> send_to_owners(std::vector<Entry> own, const IndexSet &owned_rows,
-                                      const MPI_Comm communicator)
+    Triplets send_to_owners(const Triplets &entries, const IndexSet &owned_rows,
+                            const MPI_Comm communicator)
     {
-      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-        return own;
       std::vector<unsigned int> ends = // of the ranks' rows
           Utilities::MPI::all_gather(communicator,
                                      static_cast<unsigned int>(owned_rows.n_elements()));
       std::partial_sum(ends.begin(), ends.end(), ends.begin());
-      std::map<unsigned int, std::vector<Entry>> parts;
-      for (const Entry &entry : own)
-        parts[std::upper_bound(ends.begin(), ends.end(), static_cast<unsigned int>(entry.row)) -
-              ends.begin()]
-            .push_back(entry);
-      std::vector<Entry> received;
-      for (const auto &part : Utilities::MPI::some_to_some(communicator, parts))
-        received.insert(received.end(), part.second.begin(), part.second.end());
-      return received;
+      std::vector<unsigned int> owners;
+      for (const unsigned int row : entries.rows)
+        owners.push_back(std::upper_bound(ends.begin(), ends.end(), row) - ends.begin());
+      return exchange(entries, owners, communicator);
     }
 
-    /** The sum of all ranks' entries, or its transpose. Collective. */
-    Matrix assemble(const Triplets &triplets, const bool transpose, const IndexSet &owned_rows,
-                    const IndexSet &owned_columns, const MPI_Comm communicator)
+    /** Adds up entries of one place in the order in which they stand. */
+    void set_row(const types::global_dof_index row, std::vector<std::size_t>::iterator begin,
+                 const std::vector<std::size_t>::iterator end, const Triplets &entries,
+                 const double weight, Matrix &matrix)
     {
-      std::vector<Entry> entries;
-      entries.reserve(triplets.values.size());
-      for (std::size_t k = 0; k < triplets.values.size(); ++k)
-      {
-        const int row = triplets.rows[k], column = triplets.columns[k];
-        entries.push_back({transpose ? column : row, transpose ? row : column, triplets.values[k]});
-      }
-      entries = send_to_owners(std::move(entries), owned_rows, communicator);
-      std::stable_sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) {
-        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+      std::stable_sort(begin, end, [&](const std::size_t a, const std::size_t b) {
+        return entries.columns[a] < entries.columns[b];
       });
-
-      std::vector<unsigned int> lengths(owned_rows.n_elements());
-      for (const Entry &entry : entries)
-        ++lengths[owned_rows.index_within_set(entry.row)];
-      Matrix                               matrix(owned_rows, owned_columns, communicator, lengths);
       std::vector<types::global_dof_index> columns;
       std::vector<double>                  values;
-      for (std::size_t k = 0; k < entries.size(); ++k)
+      for (; begin != end; ++begin)
       {
-        const Entry &entry = entries[k];
-        if (!columns.empty() && columns.back() == static_cast<unsigned int>(entry.column))
-          values.back() += entry.value;
-        else
+        const types::global_dof_index column = entries.columns[*begin];
+        if (columns.empty() || columns.back() != column)
         {
-          columns.push_back(entry.column);
-          values.push_back(entry.value);
+          columns.push_back(column);
+          values.push_back(0);
         }
-        if (k + 1 == entries.size() || entries[k + 1].row != entry.row)
-        {
-          matrix.set(entry.row, columns.size(), columns.data(), values.data(), false);
-          columns.clear();
-          values.clear();
-        }
+        values.back() += weight * entries.values[*begin];
       }
+      matrix.set(row, columns.size(), columns.data(), values.data(), false);
+    }
+
+    /** The sum of all ranks' entries; its rows times @p weights, if there are. Collective. */
+    Matrix assemble(const Triplets &triplets, const IndexSet &owned_rows,
+                    const IndexSet &owned_columns, const MPI_Comm communicator,
+                    const TrilinosWrappers::MPI::Vector *weights = nullptr)
+    {
+      const Triplets            entries = send_to_owners(triplets, owned_rows, communicator);
+      const unsigned int        n_rows  = owned_rows.n_elements();
+      std::vector<unsigned int> lengths(n_rows), local_rows;
+      for (const int row : entries.rows)
+        ++lengths[local_rows.emplace_back(owned_rows.index_within_set(row))];
+      std::vector<std::size_t> ends(n_rows), order(entries.size());
+      std::partial_sum(lengths.begin(), lengths.end(), ends.begin());
+      std::vector<std::size_t> next(n_rows);
+      for (unsigned int row = 0; row < n_rows; ++row)
+        next[row] = ends[row] - lengths[row];
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        order[next[local_rows[k]]++] = k;
+
+      Matrix matrix(owned_rows, owned_columns, communicator, lengths);
+      for (unsigned int i = 0; i < n_rows; ++i)
+        if (const auto row = owned_rows.nth_index_in_set(i); lengths[i] > 0)
+          set_row(row, order.begin() + (ends[i] - lengths[i]), order.begin() + ends[i], entries,
+                  weights ? (*weights)(row) : 1, matrix);
       matrix.compress(VectorOperation::insert);
       return matrix;
     }
 
+    Triplets transpose(Triplets triplets)
+    {
+      std::swap(triplets.rows, triplets.columns);
+      return triplets;
+    }
+
     /**
-     * result = A source. deal.II's own product is a template of its library, whose name clang
-     * spells otherwise than gcc, which has built the library.
+     * result = A source or A^T source. deal.II's own product is a template of its library, whose
+     * name clang spells otherwise than gcc, which has built the library.
      */
-    void multiply(const Matrix &A, FieldVector &result, const FieldVector &source)
+    void multiply(const Matrix &A, const bool transposed, FieldVector &result,
+                  const FieldVector &source)
     {
       const Epetra_CrsMatrix &matrix = A.trilinos_matrix();
       // Epetra's views of constant data do not exist.
-      const Epetra_Vector from(View, matrix.DomainMap(), const_cast<double *>(source.begin()));
-      Epetra_Vector       to(View, matrix.RangeMap(), result.begin());
-      const int           error = matrix.Multiply(false, from, to);
+      const Epetra_Map   &range = matrix.RangeMap(), &domain = matrix.DomainMap();
+      const Epetra_Vector from(View, transposed ? range : domain,
+                               const_cast<double *>(source.begin()));
+      Epetra_Vector       to(View, transposed ? domain : range, result.begin());
+      const int           error = matrix.Multiply(transposed, from, to);
       AssertThrow(error == 0, ExcTrilinosError(error));
     }
 
@@ -153,38 +149,24 @@ namespace caudal
                                 operation(row, column, value);
                               });
     }
-
-    /** All ranks' entries on the root. Collective. */
-    Triplets gather(const Triplets &own, const MPI_Comm communicator)
-    {
-      Triplets   all;
-      const auto append = [&](const auto &parts, auto &whole) {
-        for (const auto &part : parts)
-          whole.insert(whole.end(), part.begin(), part.end());
-      };
-      append(Utilities::MPI::gather(communicator, own.rows), all.rows);
-      append(Utilities::MPI::gather(communicator, own.columns), all.columns);
-      append(Utilities::MPI::gather(communicator, own.values), all.values);
-      return all;
-    }
   } // namespace
 
   struct SchurComplement::Implementation
   {
     explicit Implementation(const MPI_Comm communicator)
         : communicator(communicator)
-        , is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
+        , near(communicator)
     {}
 
     void     set_divergence(const FieldVector &u, const Triplets &entries);
     void     set_up_cycle();
     void     find_enclosed(const Matrix &G_transposed);
     Triplets collect_near(const Matrix &H) const;
+    void     factorize(const Triplets &G, const Triplets &E, const std::vector<BodyPlaces> &bodies);
     void     add_near(FieldVector &q, FieldVector &x, const FieldVector &r_q,
                       const FieldVector &r_x) const;
 
     const MPI_Comm communicator;
-    const bool     is_root;
 
     IndexSet                 owned_u, owned_q, owned_x;
     FieldVector              with_velocities; // zeros
@@ -194,14 +176,14 @@ namespace caudal
 
     double                            s = 1;
     TrilinosWrappers::MPI::Vector     inverse_diagonal; // of D
-    Matrix                            S, C;
+    Matrix                            S, C_transposed;
     TrilinosWrappers::PreconditionAMG cycle;
 
-    // The multipliers that are factorised, of all ranks, on all of them; the root has their values
-    // as ghost entries.
+    // The multipliers that are factorised, and where they are: of all ranks, on all of them.
     std::vector<types::global_dof_index> enclosed;
-    FieldVector                          with_enclosed;
-    NearSystem                           near; // of the root
+    std::vector<double>                  positions;
+    NearSystem                           near;
+    Window                               q_window; // onto those that it has on this rank
     bool                                 is_coupled = false;
     Triplets                             G, E; // of the last call of couple()
   };
@@ -212,11 +194,11 @@ namespace caudal
     with_velocities.reinit(u);
     owned_u = u.locally_owned_elements();
     owned_q = smooth.front().locally_owned_elements();
-    B.emplace(assemble(entries, false, owned_q, owned_u, communicator));
-    B_transposed.emplace(assemble(entries, true, owned_u, owned_q, communicator));
+    B.emplace(assemble(entries, owned_q, owned_u, communicator));
+    B_transposed.emplace(assemble(transpose(entries), owned_u, owned_q, communicator));
 
     FieldVector gradient(owned_u, communicator);
-    multiply(*B_transposed, gradient, smooth.front());
+    multiply(*B_transposed, false, gradient, smooth.front());
     is_singular = gradient.linfty_norm() < 1e-10 * B->linfty_norm() * smooth.front().linfty_norm();
   }
 
@@ -265,13 +247,19 @@ namespace caudal
       if (all_touched)
         own.push_back(row);
     }
-    enclosed.clear();
-    for (const auto &part : Utilities::MPI::all_gather(communicator, own))
-      enclosed.insert(enclosed.end(), part.begin(), part.end());
-    IndexSet ghosts(owned_q.size());
-    if (is_root)
-      ghosts.add_indices(enclosed.begin(), enclosed.end());
-    with_enclosed.reinit(owned_q, ghosts, communicator);
+    const unsigned int  n_per_cell = smooth.size(), dim = smooth.size() - 1;
+    std::vector<double> own_positions; // which the first function of a cell has
+    for (const auto q : own)
+      for (unsigned int d = 0; d < dim; ++d)
+        own_positions.push_back(
+            smooth[d + 1].local_element(owned_q.index_within_set(q) / n_per_cell * n_per_cell));
+    const auto join = [&](const auto &part, auto &all) {
+      all.clear();
+      for (const auto &others : Utilities::MPI::all_gather(communicator, part))
+        all.insert(all.end(), others.begin(), others.end());
+    };
+    join(own, enclosed);
+    join(own_positions, positions);
   }
 
   Triplets SchurComplement::Implementation::collect_near(const Matrix &H) const
@@ -291,45 +279,42 @@ namespace caudal
             own.add(row, column, value);
         });
       }
-    Triplets all = gather(own, communicator);
-    for_each_entry(C, [&](const int x, const types::global_dof_index q, const double value) {
-      if (const int place = find(q); place >= 0)
-        all.add(begin + x, place, -value);
-    });
+    for_each_entry(C_transposed,
+                   [&](const types::global_dof_index q, const int x, const double value) {
+                     if (const int place = find(q); place >= 0)
+                       own.add(begin + x, place, -value);
+                   });
     for_each_entry(H, [&](const int row, const int column, const double value) {
-      all.add(begin + row, begin + column, value);
+      own.add(begin + row, begin + column, value);
     });
-    return all;
+    return own;
+  }
+
+  void SchurComplement::Implementation::factorize(const Triplets &G, const Triplets &E,
+                                                  const std::vector<BodyPlaces> &bodies)
+  {
+    const Matrix scaled_G_transposed = // D^-1 G^T
+        assemble(transpose(G), owned_u, owned_x, communicator, &inverse_diagonal);
+    Matrix H;
+    B->mmult(C_transposed, scaled_G_transposed);
+    assemble(G, owned_x, owned_u, communicator).mmult(H, scaled_G_transposed);
+    find_enclosed(scaled_G_transposed);
+    near.factorize({static_cast<unsigned int>(enclosed.size()), owned_x, positions, bodies, s,
+                    collect_near(H), E});
+    std::vector<types::global_dof_index> own_q;
+    for (const int k : near.get_own_q())
+      own_q.push_back(enclosed[k]);
+    q_window = Window(owned_q, own_q, communicator);
   }
 
   void SchurComplement::Implementation::add_near(FieldVector &q, FieldVector &x,
                                                  const FieldVector &r_q,
                                                  const FieldVector &r_x) const
   {
-    FieldVector at_enclosed(with_enclosed);
-    at_enclosed.copy_locally_owned_data_from(r_q);
-    at_enclosed.update_ghost_values();
-    Vector<double> near_part;
-    if (is_root)
-    {
-      near_part.reinit(enclosed.size() + r_x.size());
-      for (unsigned int k = 0; k < enclosed.size(); ++k)
-        near_part[k] = at_enclosed(enclosed[k]);
-      std::copy(r_x.begin(), r_x.end(), near_part.begin() + enclosed.size());
-      near.solve(near_part);
-    }
-    at_enclosed = 0;
-    at_enclosed.zero_out_ghost_values();
-    if (is_root)
-    {
-      const unsigned int n_enclosed = enclosed.size();
-      for (unsigned int k = 0; k < n_enclosed; ++k)
-        at_enclosed(enclosed[k]) = near_part[k];
-      std::copy_n(near_part.begin() + n_enclosed, x.size(), x.begin());
-    }
-    at_enclosed.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
-      q.local_element(i) += at_enclosed.local_element(i);
+    Vector<double> own_q = q_window.read(r_q);
+    x.copy_locally_owned_data_from(r_x);
+    near.solve(own_q, x);
+    q_window.add(own_q, q);
   }
 
   SchurComplement::SchurComplement(const MPI_Comm communicator)
@@ -370,7 +355,7 @@ namespace caudal
     own.is_coupled       = false;
   }
 
-  void SchurComplement::couple(Triplets G, Triplets E, const unsigned int n_x,
+  void SchurComplement::couple(Triplets G, Triplets E, const IndexSet &owned_x,
                                const std::vector<BodyPlaces> &bodies)
   {
     Implementation &own = *implementation;
@@ -378,22 +363,9 @@ namespace caudal
                             own.communicator) == 1)
       return;
     own.is_coupled = false; // should it fail
-    own.owned_x    = IndexSet(n_x);
-    if (own.is_root)
-      own.owned_x.add_range(0, n_x);
-    if (n_x > 0)
-    {
-      const Matrix G_matrix     = assemble(G, false, own.owned_x, own.owned_u, own.communicator);
-      const Matrix G_transposed = assemble(G, true, own.owned_u, own.owned_x, own.communicator);
-      Matrix       H;
-      G_matrix.mmult(own.C, *own.B_transposed, own.inverse_diagonal);
-      G_matrix.mmult(H, G_transposed, own.inverse_diagonal);
-      own.find_enclosed(G_transposed);
-      Triplets J = own.collect_near(H);
-      run_on_root(own.communicator, [&]() {
-        own.near.factorize(own.enclosed.size(), n_x, bodies, own.s, std::move(J), E);
-      });
-    }
+    own.owned_x    = owned_x;
+    if (owned_x.size() > 0)
+      own.factorize(G, E, bodies);
     own.G          = std::move(G);
     own.E          = std::move(E);
     own.is_coupled = true;
@@ -408,9 +380,9 @@ namespace caudal
     if (own.owned_x.size() == 0)
       return;
     FieldVector rest_q(r_q), rest_x(r_x);
-    multiply(own.S, rest_q, q);
+    multiply(own.S, false, rest_q, q);
     rest_q.sadd(own.s, 1, r_q);
-    multiply(own.C, rest_x, q);
+    multiply(own.C_transposed, true, rest_x, q);
     rest_x.sadd(-own.s, 1, r_x);
     own.add_near(q, x, rest_q, rest_x);
   }

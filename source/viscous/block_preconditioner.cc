@@ -124,7 +124,7 @@ namespace caudal
                                     new_weights.inertia);
     weights = new_weights;
     schur_complement.couple(equations->collect_interactions(), equations->collect_body_matrix(),
-                            equations->get_n_body_unknowns(), equations->get_body_places());
+                            equations->get_owned_body_unknowns(), equations->get_body_places());
     velocity_block =
         std::make_unique<VelocityBlock>(momentum.get_matrix(), momentum.compute_diagonal());
   }

@@ -10,12 +10,13 @@ namespace caudal
     // Any body has a few anchors, see get_group_begins().
     constexpr unsigned int fewest_anchors = 4;
 
-    /** The values of a vector of which rank 0 owns everything, on all ranks. */
-    Vector<double> broadcast(const FieldVector &source)
+    /** The values that ranks have of a vector, on all of them. */
+    Vector<double> collect(const FieldVector &source)
     {
       Vector<double> values(source.size());
-      std::copy_n(source.begin(), source.locally_owned_size(), values.begin());
-      MPI_Bcast(values.begin(), values.size(), MPI_DOUBLE, 0, source.get_mpi_communicator());
+      std::copy(source.begin(), source.end(),
+                values.begin() + source.get_partitioner()->local_range().first);
+      Utilities::MPI::sum(values, source.get_mpi_communicator(), values);
       return values;
     }
 
@@ -52,6 +53,9 @@ namespace caudal
   {
     for (const auto &body : bodies)
       begins.push_back(begins.back() + body.n_unknowns());
+    owned_body_unknowns = Utilities::create_evenly_distributed_partitioning(
+        Utilities::MPI::this_mpi_process(communicator),
+        Utilities::MPI::n_mpi_processes(communicator), begins.back());
   }
 
   template <int dim>
@@ -71,11 +75,9 @@ namespace caudal
         add(residual.bodies[b].velocity, begins[b], bodies[b].force_density, scale, values);
         add(residual.bodies[b].frame_velocity, begins[b], bodies[b].frame, scale, values);
       }
-      IndexSet owned(values.size()); // by rank 0
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        owned.add_range(0, values.size());
-      rhs.block(2).reinit(owned, communicator);
-      std::copy_n(values.begin(), rhs.block(2).locally_owned_size(), rhs.block(2).begin());
+      rhs.block(2).reinit(owned_body_unknowns, communicator);
+      for (const auto i : owned_body_unknowns)
+        rhs.block(2)(i) = values[i];
     }
     rhs.collect_sizes();
     return rhs;
@@ -90,7 +92,7 @@ namespace caudal
     correction.pressure *= -1;
     if (bodies.empty())
       return correction;
-    const Vector<double> values = broadcast(solution.block(2));
+    const Vector<double> values = collect(solution.block(2));
     for (unsigned int b = 0; b < bodies.size(); ++b)
       correction.bodies.push_back({extract(values, begins[b], bodies[b].velocity),
                                    extract(values, begins[b], bodies[b].force_density),
@@ -109,25 +111,27 @@ namespace caudal
     if (bodies.empty())
       return;
 
-    const Vector<double> in = broadcast(source.block(2));
+    const Vector<double> in = collect(source.block(2));
     Vector<double>       out(in.size());
+    const auto [begin, end] = source.block(2).get_partitioner()->local_range();
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const auto &[rows, columns, entries] = bodies[b].matrix;
       for (std::size_t k = 0; k < entries.size(); ++k)
-        out[begins[b] + rows[k]] += entries[k] * in[begins[b] + columns[k]];
+        if (const unsigned int row = begins[b] + rows[k]; begin <= row && row < end)
+          out[row] += entries[k] * in[begins[b] + columns[k]];
       add(bodies[b].interaction.interpolate(source.block(0), /*homogeneous=*/true), begins[b],
           bodies[b].force_density, -scale, out);
     }
     spread(in, -1, result.block(0));
-    std::copy_n(out.begin(), result.block(2).locally_owned_size(), result.block(2).begin());
+    std::copy(out.begin() + begin, out.begin() + end, result.block(2).begin());
   }
 
   template <int dim>
   void CoupledEquations<dim>::add_forces(const FieldVector &unknowns, const double factor,
                                          FieldVector &forces) const
   {
-    spread(broadcast(unknowns), factor, forces);
+    spread(collect(unknowns), factor, forces);
   }
 
   template <int dim>
@@ -219,12 +223,15 @@ namespace caudal
     std::vector<BodyPlaces> all;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      BodyPlaces places{dim, {}, {}};
+      BodyPlaces places{dim, {}, {}, {}, {}};
       for (unsigned int i = 0; i < bodies[b].velocity.size; ++i)
       {
         places.force.push_back(begins[b] + bodies[b].force_density[i]);
         places.velocity.push_back(begins[b] + bodies[b].velocity[i]);
       }
+      for (unsigned int i = 0; i < bodies[b].frame.size; ++i)
+        places.frame.push_back(begins[b] + bodies[b].frame[i]);
+      places.positions.assign(bodies[b].positions.begin(), bodies[b].positions.end());
       all.push_back(std::move(places));
     }
     return all;

@@ -122,7 +122,7 @@ namespace caudal
       const double                      scale = point.weights.inertia;
       const std::vector<Vector<double>> modes =
           body.has_gait() ? make_rigid_velocities(solid, positions) : std::vector<Vector<double>>();
-      result.equations.emplace_back(result.interactions[b], solid.n_dofs(), modes.size());
+      result.equations.emplace_back(result.interactions[b], positions, modes.size());
       add_body(solid.get_coupling_mass(), combine_response(solid, std::move(response), point.rate),
                scale, result.equations[b]);
       add_frame(solid.get_mass_matrix(), modes, body.get_gait_damping(), scale,

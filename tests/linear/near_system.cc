@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The NearSystem of two bodies on a line of fluid nodes, as preconditioner of itself, by the
-// factors of all and in parts. With R = e M, as of a gait, the parts are exact; of a frame and of
+// factors of all and in parts. With R = e M, as of a gait, the parts are exact; of frames and of
 // elastic bodies they take some iterations, the more, the more motions a body has that the fluid
-// has not.
+// has not. On two ranks, which have a body each, and on three, whose slices cut bodies, the same.
 
 #include <caudal/linear/conjugate_residuals.h>
 #include <caudal/linear/near_system.h>
 
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
 #include <iostream>
+#include <tuple>
+#include <utility>
 
 using namespace caudal;
 using namespace dealii;
@@ -20,23 +24,25 @@ namespace
   constexpr unsigned int n_nodes = 12, n_bodies = 2, n_u = 2 * n_nodes + 8;
   constexpr double       s = 3;
 
-  struct Case
-  {
-    unsigned int            n_q = 0, n_x = 0;
-    std::vector<BodyPlaces> bodies;
-    Triplets                J, E;
-  };
+  using FieldVector = NearSystem::FieldVector;
 
   /** Nodes of a body lie at 1/4 and 3/4 between nodes of the fluid; q: divergences between them. */
-  Case make_case(const double rate, const double stiffness, const bool has_frame)
+  NearMatrices make_case(const double rate, const double stiffness, const bool has_frames)
   {
-    Case               result;
+    NearMatrices       result;
     FullMatrix<double> B(n_bodies * (n_nodes / 2), n_u), G(n_bodies * n_nodes, n_u);
     result.n_q = B.m();
-    result.n_x = 2 * G.m() + (has_frame ? 1 : 0);
+    result.s   = s;
+    for (unsigned int q = 0; q < result.n_q; ++q)
+      result.positions.push_back(q / (n_nodes / 2) * (n_nodes + 2.) + q % (n_nodes / 2) * 2);
+    const int first_frame = 2 * G.m(), n_x = first_frame + (has_frames ? n_bodies : 0);
+    result.owned_x = Utilities::create_evenly_distributed_partitioning(
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
+        Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD), n_x);
     for (unsigned int body = 0; body < n_bodies; ++body)
     {
-      BodyPlaces         places{1, {}, {}};
+      BodyPlaces         places{1, {}, {}, {}, {}};
+      const int          frame   = first_frame + body;
       const unsigned int first_u = 2 + body * (n_nodes + 2);
       for (unsigned int i = 0; i < n_nodes; ++i)
       {
@@ -51,6 +57,7 @@ namespace
         const int velocity = 2 * row, force = velocity + 1;
         places.velocity.push_back(velocity);
         places.force.push_back(force);
+        places.positions.push_back(body * (n_nodes + 2.) + i);
         for (unsigned int j = std::max(1u, i) - 1; j < std::min(n_nodes, i + 2); ++j)
         {
           const double mass = i == j ? 4. / 6 : 1. / 6, spring = i == j ? 2 : -1;
@@ -58,18 +65,20 @@ namespace
           result.E.add(force, other, s * mass);
           result.E.add(velocity, other + 1, mass);
           result.E.add(velocity, other, rate * mass + stiffness * spring);
-          if (has_frame)
+          if (has_frames)
           {
-            result.E.add(velocity, result.n_x - 1, -rate * mass);
-            result.E.add(result.n_x - 1, other, s * mass);
-            result.E.add(result.n_x - 1, result.n_x - 1, -s * mass);
+            result.E.add(velocity, frame, -rate * mass);
+            result.E.add(frame, other, s * mass);
+            result.E.add(frame, frame, -s * mass);
           }
         }
       }
+      if (has_frames)
+        places.frame.push_back(frame);
       result.bodies.push_back(places);
     }
     // The multipliers are numbered first, then forces by their places.
-    FullMatrix<double> all(result.n_q + result.n_x, n_u);
+    FullMatrix<double> all(result.n_q + n_x, n_u);
     for (unsigned int u = 0; u < n_u; ++u)
     {
       for (unsigned int q = 0; q < B.m(); ++q)
@@ -89,65 +98,112 @@ namespace
     return result;
   }
 
+  /** A part of the entries for each rank, without regard to what they are. */
+  NearMatrices distribute(NearMatrices matrices)
+  {
+    const Triplets all = std::exchange(matrices.J, {});
+    for (std::size_t k = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD); k < all.size();
+         k += Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD))
+      matrices.J.add(all.rows[k], all.columns[k], all.values[k]);
+    return matrices;
+  }
+
+  /** All entries, on all ranks. */
+  Vector<double> collect(const FieldVector &source)
+  {
+    Vector<double> values(source.size());
+    for (const auto i : source.locally_owned_elements())
+      values[i] = source(i);
+    Utilities::MPI::sum(values, MPI_COMM_WORLD, values);
+    return values;
+  }
+
+  /** The equations; J has all entries. */
   class SaddlePoint
   {
   public:
-    explicit SaddlePoint(const Case &problem)
+    explicit SaddlePoint(const NearMatrices &problem)
         : problem(problem)
     {}
 
-    void vmult(Vector<double> &result, const Vector<double> &source) const
+    void vmult(FieldVector &result, const FieldVector &source) const
     {
-      const auto &[n_q, n_x, bodies, J, E] = problem;
-      result                               = 0;
-      for (std::size_t k = 0; k < J.values.size(); ++k)
+      const auto &[J, E]        = std::tie(problem.J, problem.E);
+      const unsigned int   n_q  = problem.n_q;
+      const Vector<double> from = collect(source);
+      Vector<double>       to(from.size());
+      for (std::size_t k = 0; k < J.size(); ++k)
       {
-        result[J.rows[k]] -= s * J.values[k] * source[J.columns[k]];
+        to[J.rows[k]] -= s * J.values[k] * from[J.columns[k]];
         if (J.rows[k] != J.columns[k])
-          result[J.columns[k]] -= s * J.values[k] * source[J.rows[k]];
+          to[J.columns[k]] -= s * J.values[k] * from[J.rows[k]];
       }
-      for (std::size_t k = 0; k < E.values.size(); ++k)
-        result[n_q + E.rows[k]] += E.values[k] * source[n_q + E.columns[k]];
+      for (std::size_t k = 0; k < E.size(); ++k)
+        to[n_q + E.rows[k]] += E.values[k] * from[n_q + E.columns[k]];
+      for (const auto i : result.locally_owned_elements())
+        result(i) = to[i];
     }
 
   private:
-    const Case &problem;
+    const NearMatrices &problem;
   };
 
   class Preconditioner
   {
   public:
-    explicit Preconditioner(const NearSystem &system)
-        : system(system)
+    Preconditioner(const NearMatrices &problem, const NearSystem &system)
+        : problem(problem)
+        , system(system)
     {}
 
-    void vmult(Vector<double> &result, const Vector<double> &source) const
+    void vmult(FieldVector &result, const FieldVector &source) const
     {
-      result = source;
-      system.solve(result);
+      const Vector<double>    values = collect(source);
+      const std::vector<int> &own_q  = system.get_own_q();
+      Vector<double>          q(own_q.size()), all(values.size());
+      for (unsigned int k = 0; k < own_q.size(); ++k)
+        q[k] = values[own_q[k]];
+      FieldVector x(problem.owned_x, MPI_COMM_WORLD);
+      for (const auto i : problem.owned_x)
+        x(i) = values[problem.n_q + i];
+      system.solve(q, x);
+      for (unsigned int k = 0; k < own_q.size(); ++k)
+        all[own_q[k]] = q[k];
+      for (const auto i : problem.owned_x)
+        all[problem.n_q + i] = x(i);
+      Utilities::MPI::sum(all, MPI_COMM_WORLD, all);
+      for (const auto i : result.locally_owned_elements())
+        result(i) = all[i];
     }
 
   private:
-    const NearSystem &system;
+    const NearMatrices &problem;
+    const NearSystem   &system;
   };
 
-  void test(const std::string &name, const Case &problem)
+  void test(const std::string &name, const NearMatrices &problem)
   {
-    std::cout << name << ':';
-    Vector<double> rhs(problem.n_q + problem.n_x), solution(rhs.size());
-    for (unsigned int i = 0; i < rhs.size(); ++i)
-      rhs[i] = std::sin(1. + i * i);
+    ConditionalOStream out(std::cout, Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+    out << name << ':';
+    const unsigned int n = problem.n_q + problem.owned_x.size();
+    FieldVector        rhs(Utilities::create_evenly_distributed_partitioning(
+                               Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
+                               Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD), n),
+                           MPI_COMM_WORLD),
+        solution(rhs);
+    for (const auto i : rhs.locally_owned_elements())
+      rhs(i) = std::sin(1. + i * i);
     for (const unsigned int largest_complete : {1000, 0})
     {
-      NearSystem system(largest_complete);
-      system.factorize(problem.n_q, problem.n_x, problem.bodies, s, problem.J, problem.E);
+      NearSystem system(MPI_COMM_WORLD, largest_complete, /*smallest_slice=*/10);
+      system.factorize(distribute(problem));
       const IterationResult result = solve_by_conjugate_residuals(
-          SaddlePoint(problem), solution, rhs, Preconditioner(system), 1e-9, 30);
-      std::cout << (largest_complete > 0 ? " all factors " : ", in parts ") << result.n_iterations
-                << (result.converged ? " iterations" : " iterations are not enough")
-                << (system.has_pivoted() ? " (pivots of all rows)" : "");
+          SaddlePoint(problem), solution, rhs, Preconditioner(problem, system), 1e-9, 30);
+      out << (largest_complete > 0 ? " all factors " : ", in parts ") << result.n_iterations
+          << (result.converged ? " iterations" : " iterations are not enough")
+          << (system.has_pivoted() ? " (pivots of all rows)" : "");
     }
-    std::cout << '\n';
+    out << '\n';
   }
 } // namespace
 
@@ -155,7 +211,7 @@ int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test("a rate of 50", make_case(50, 0, false));
-  test("a rate of 50 about a frame", make_case(50, 0, true));
+  test("a rate of 50 about frames", make_case(50, 0, true));
   test("elastic", make_case(0, 200, false));
   test("elastic, held", make_case(5, 200, false));
   test("without any resistance", make_case(0, 0, false));

@@ -2,6 +2,8 @@
 #ifndef caudal_linear_multifrontal_h
 #define caudal_linear_multifrontal_h
 
+#include <caudal/linear/triplets.h>
+
 #include <deal.II/lac/la_parallel_block_vector.h>
 
 #include <memory>
@@ -9,25 +11,6 @@
 
 namespace caudal
 {
-  /** Entries (row, column, value) of a matrix; entries of one place add up. */
-  struct Triplets
-  {
-    std::vector<int>    rows, columns;
-    std::vector<double> values;
-
-    void add(const int row, const int column, const double value)
-    {
-      rows.push_back(row);
-      columns.push_back(column);
-      values.push_back(value);
-    }
-
-    bool operator==(const Triplets &other) const
-    {
-      return rows == other.rows && columns == other.columns && values == other.values;
-    }
-  };
-
   /** Dense matrix that couples some unknowns with each other; non-owning. */
   struct ElementMatrix
   {

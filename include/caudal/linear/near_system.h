@@ -2,21 +2,48 @@
 #ifndef caudal_linear_near_system_h
 #define caudal_linear_near_system_h
 
-#include <caudal/linear/cholesky.h>
-#include <caudal/linear/multifrontal.h>
+#include <caudal/linear/triplets.h>
 
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
 #include <vector>
 
 namespace caudal
 {
-  /** Places of a body's force densities and velocities, node by node, among its unknowns. */
+  /**
+   * Places of a body's force densities and velocities, node by node, and of the velocities of its
+   * frame among the unknowns of all bodies; and where its nodes are.
+   */
   struct BodyPlaces
   {
-    unsigned int     n_components;
-    std::vector<int> force, velocity;
+    unsigned int        n_components;
+    std::vector<int>    force, velocity, frame;
+    std::vector<double> positions; // node by node
   };
+
+  /** The matrices of a NearSystem, whose equations see there. */
+  struct NearMatrices
+  {
+    unsigned int     n_q = 0;
+    dealii::IndexSet owned_x{}; // of vectors of x: f and y together
+
+    /** Points near which the q are, as many coordinates each as a body has components. */
+    std::vector<double>     positions{};
+    std::vector<BodyPlaces> bodies{};
+
+    double s = 1;
+    /**
+     * S and -C, whose rows are those of f, behind those of q, numbered by the bodies; H, too; on
+     * and below the diagonal, the sum of all ranks' entries.
+     */
+    Triplets J{};
+    /** The rows and columns of x; all ranks have all. */
+    Triplets E{};
+  };
+
+  class NearFactors;
 
   /**
    * A solution, approximate where it is large, of the saddle-point system of few multipliers q, the
@@ -24,7 +51,7 @@ namespace caudal
    *   s (-S q + C^T f)       = r_q,
    *   s (C q - H f) + E_fy y = r_f,  where  E_fU = s M,
    *   M f + E_Uy y           = r_U,  where  E_UU = R,
-   *   E_gy y                 = r_g   for what is neither force nor velocity.
+   *   E_gy y                 = r_g   for frames.
    * It is symmetric up to scaling, and no unsymmetric factors of all are needed: with a bound e of
    * R/M, s/e times the third line is taken from the second, which leaves
    *   J = [S, -C^T; -C, H + M/e],  K = E_fy - s/e E_Uy,
@@ -32,26 +59,40 @@ namespace caudal
    * y has the Schur complement E_yy + E_yf T K/s, T = (J^-1)_ff. A few conjugate residuals solve
    * it, preconditioned with T ~ t M^-1, t the mean of T over translations. The bound e may differ
    * by node.
+   *
+   * All ranks share J in slices; what else a body has is with one of them, see NearDivision.
+   * Member functions are collective.
    */
   class NearSystem
   {
   public:
-    /** Systems of up to @p largest_complete unknowns are solved exactly, by factors of all. */
-    explicit NearSystem(unsigned int largest_complete = 4000);
+    using FieldVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
     /**
-     * Sets the matrices. @p J: S and -C, whose rows are those of f, behind the @p n_q of q,
-     * numbered by @p bodies; H, too; on and below the diagonal. @p E: the rows and columns of x,
-     * @p n_x of f and y together.
+     * Systems of up to @p largest_complete unknowns are solved exactly, by factors of all on rank
+     * 0. A rank's slice of J has at least @p smallest_slice unknowns.
      */
-    void factorize(unsigned int n_q, unsigned int n_x, const std::vector<BodyPlaces> &bodies,
-                   double s, Triplets J, const Triplets &E);
+    explicit NearSystem(MPI_Comm communicator, unsigned int largest_complete = 4000,
+                        unsigned int smallest_slice = 1500);
+    ~NearSystem();
 
-    /** Replaces (r_q, r_x) by an approximate solution (q, x). */
-    void solve(dealii::Vector<double> &values) const;
+    /** Makes the factors. */
+    void factorize(const NearMatrices &matrices);
 
-    /** Number of entries of the factors. */
-    double get_factor_entries() const;
+    /** The q whose values this rank gives and takes. */
+    const std::vector<int> &get_own_q() const;
+
+    /**
+     * Replaces (r_q, r_x) by an approximate solution (q, x): @p own_q in the order of get_own_q(),
+     * @p x in the layout of factorize().
+     */
+    void solve(dealii::Vector<double> &own_q, FieldVector &x) const;
+
+    /** Number of entries of the factors, over all ranks. */
+    double get_factor_entries() const
+    {
+      return n_entries;
+    }
 
     /** Whether the last factorisation, of y or of all, needed pivots from all rows, which is slow.
      */
@@ -61,37 +102,12 @@ namespace caudal
     }
 
   private:
-    class RestComplement;
-    class RestPreconditioner;
+    const MPI_Comm     communicator;
+    const unsigned int largest_complete, smallest_slice;
 
-    /** Makes the factors of y, or of all; @p groups ends with the number of unknowns. */
-    void factorize_by_groups(const std::vector<int> &groups, const MatrixParts &matrix);
-    void factorize_completely(unsigned int n_x, const std::vector<BodyPlaces> &bodies,
-                              const Triplets &J, const Triplets &E);
-    void divide(const std::vector<BodyPlaces> &bodies, unsigned int n_x, const Triplets &E);
-    void bound_rates(const std::vector<BodyPlaces> &bodies);
-    void collect_coupling();
-    void factorize_rest(const std::vector<BodyPlaces> &bodies);
-
-    /** For each body t with T ~ t M^-1. */
-    std::vector<double> estimate_inertia(const std::vector<BodyPlaces> &bodies) const;
-
-    /** Solves by the factors of y, or of all. */
-    void solve_rest(dealii::Vector<double> &values) const;
-
-    const unsigned int largest_complete;
-    bool               is_complete = false;
-    bool               pivoted     = false;
-    double             s           = 1;
-    unsigned int       n_q = 0, n_f = 0, n_y = 0;
-
-    std::vector<int>    place; // of x among f and, behind them, y: U in the order of f, then others
-    std::vector<int>    rest_groups; // first y of those that are eliminated together, and n_y
-    Triplets            E_fy, E_yf, E_yy, K;
-    std::vector<double> inverse_rate; // 1/e for each f
-
-    Cholesky                   forces; // of J
-    mutable MultifrontalSolver rest;   // of y, or of all
+    std::unique_ptr<NearFactors> factors;
+    double                       n_entries = 0;
+    bool                         pivoted   = false;
   };
 } // namespace caudal
 

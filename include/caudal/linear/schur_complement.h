@@ -14,11 +14,11 @@ namespace caudal
   /**
    * An approximate solution of the saddle-point system with a diagonal matrix D in its corner,
    *   D u + B^T q - G^T x = 0,   s B u = r_q,   E x - s G u = r_x,
-   * for the many multipliers q and the few unknowns x, of which rank 0 has all; without u it is
+   * for the many multipliers q and the few unknowns x; without u it is
    *   -s S q + s C^T x = r_q,   s C q + (E - s H) x = r_x,
    *   S = B D^-1 B^T,  C = G D^-1 B^T,  H = G D^-1 G^T.
    * One cycle of algebraic multigrid (Trilinos' ML; Vanek, Mandel & Brezina 1996,
-   * doi:10.1007/BF02238511) on S solves for all q; then the NearSystem of rank 0 for the correction
+   * doi:10.1007/BF02238511) on S solves for all q; then the NearSystem for the correction
    * of all x together with those q all of whose u have entries in G: those are what the cycle alone
    * can't see, since D is not what resists u there.
    *
@@ -40,7 +40,8 @@ namespace caudal
      * Sets B. @p u has the layout of these vectors, with ghost entries for the columns of the rows
      * of B that this rank owns. @p smooth: multipliers that S hardly sees, as many as a cell has
      * unknowns, the first one constant; the coarser levels of the multigrid have them all. The
-     * unknowns of a cell stand together and on one rank. @p B: the rows that this rank owns.
+     * unknowns of a cell stand together and on one rank; the others but the first are coordinates,
+     * whose mean a cell's first unknown has. @p B: the rows that this rank owns.
      */
     void reinit(const FieldVector &u, std::vector<FieldVector> smooth, const Triplets &B);
 
@@ -48,11 +49,12 @@ namespace caudal
     void set_diagonal(const FieldVector &D, double s);
 
     /**
-     * Sets G and E. The rows of @p G, and rows and columns of @p E, which is that of rank 0, are
-     * numbered from 0 to @p n_x; @p bodies says which of them are whose. Where both are those of
-     * the last call, as for bodies at rest, the factors are kept.
+     * Sets G, the sum of all ranks' entries, and E, which all ranks have. @p owned_x: which of x,
+     * numbered as the rows of G and E, this rank owns; @p bodies says which are whose. Where both
+     * are those of the last call, as for bodies at rest, the factors are kept.
      */
-    void couple(Triplets G, Triplets E, unsigned int n_x, const std::vector<BodyPlaces> &bodies);
+    void couple(Triplets G, Triplets E, const dealii::IndexSet &owned_x,
+                const std::vector<BodyPlaces> &bodies);
 
     /** An approximate solution; @p x and @p r_x may be empty. */
     void solve(FieldVector &q, FieldVector &x, const FieldVector &r_q,

@@ -35,16 +35,19 @@ namespace caudal
   template <int dim>
   struct BodyEquations
   {
-    BodyEquations(const InteractionOperator<dim> &interaction, const unsigned int n_dofs,
+    BodyEquations(const InteractionOperator<dim> &interaction, const Vector<double> &positions,
                   const unsigned int n_frame)
         : interaction(interaction)
-        , velocity{0, n_dofs, dim, 2 * dim}
-        , force_density{dim, n_dofs, dim, 2 * dim}
-        , frame{2 * static_cast<int>(n_dofs), n_frame, 1, 1}
+        , positions(positions)
+        , velocity{0, static_cast<unsigned int>(positions.size()), dim, 2 * dim}
+        , force_density{dim, velocity.size, dim, 2 * dim}
+        , frame{2 * static_cast<int>(velocity.size), n_frame, 1, 1}
     {}
 
     /** G */
     const InteractionOperator<dim> &interaction;
+    /** Of the nodes, to tell what is near what. */
+    const Vector<double> &positions;
     /** Places of the unknowns, and of the equations of balance, kinematics and frame. */
     Places velocity, force_density, frame;
     /** The matrix of the equations, without G. */
@@ -107,12 +110,13 @@ namespace caudal
     /** The matrices of all bodies; numbered, as the rows of collect_interactions(), from 0. */
     Triplets collect_body_matrix() const;
 
-    /** Places of all bodies' velocities and force densities among their unknowns. */
+    /** Places of all bodies' unknowns, and where their nodes are. */
     std::vector<BodyPlaces> get_body_places() const;
 
-    unsigned int get_n_body_unknowns() const
+    /** Those of the bodies' unknowns that this rank has in vectors: about as many on each. */
+    const IndexSet &get_owned_body_unknowns() const
     {
-      return begins.back();
+      return owned_body_unknowns;
     }
 
     /** forces += factor sum_b G_b^T dPhi_b, from the block of the @p bodies. Collective. */
@@ -125,6 +129,7 @@ namespace caudal
     const std::vector<BodyEquations<dim>> &bodies;
     const double                           scale;
     std::vector<unsigned int>              begins; // of the bodies' unknowns, and their number
+    IndexSet                               owned_body_unknowns;
 
     /** As add_forces(), from the bodies' unknowns that all ranks have. */
     void spread(const Vector<double> &values, double factor, FieldVector &forces) const;
