@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/app/model_run.h>
 #include <caudal/base/archive.h>
+#include <caudal/base/collective.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/passage/fish_passage.h>
 #include <caudal/solid/elastic_body.h>
@@ -114,7 +115,7 @@ namespace caudal
     const std::string &results = parameters.output.folder;
     const auto         slot    = read_newest_checkpoint(results, communicator);
     typename Swimmer::Checkpoint checkpoint;
-    unpack(slot.data, checkpoint);
+    run_on_all(communicator, [&]() { read(slot, checkpoint); });
     std::ostringstream place;
     place << "Resumed from <" << slot.path << ">, t = " << checkpoint.time << " s.";
     std::vector<std::string> messages = slot.skipped;

@@ -22,19 +22,24 @@ namespace caudal
       return [n_steps, n = 0u]() mutable { return n++ >= n_steps; };
     }
 
-    /** What differs between the two states, or nothing. */
-    std::string compare_states(const Checkpoint &whole, const Checkpoint &resumed)
+    /** What differs between the two states on any rank, or nothing. Collective. */
+    std::string compare_states(const Checkpoint &whole, const Checkpoint &resumed,
+                               const MPI_Comm communicator)
     {
+      const auto is_anywhere = [&](const bool is_here) {
+        return Utilities::MPI::max(static_cast<int>(is_here), communicator) == 1;
+      };
+      const auto        &a = whole.fluid, &b = resumed.fluid;
       std::ostringstream differences;
-      if (whole.fluid.cells != resumed.fluid.cells)
+      if (is_anywhere(a.cells != b.cells))
         differences << " the fluid's grid or the order of its cells;";
-      if (whole.fluid.values != resumed.fluid.values)
+      if (is_anywhere(a.values != b.values))
       {
         double largest = 0;
-        for (std::size_t i = 0; i < whole.fluid.values.size(); ++i)
-          if (i < resumed.fluid.values.size())
-            largest = std::max(largest, std::abs(whole.fluid.values[i] - resumed.fluid.values[i]));
-        differences << " velocity or pressure, by up to " << largest << ";";
+        for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i)
+          largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
+        differences << " velocity or pressure, by up to "
+                    << Utilities::MPI::max(largest, communicator) << ";";
       }
       for (const auto &[name, bytes] : whole.parts)
         if (bytes != resumed.parts.at(name))
@@ -42,7 +47,7 @@ namespace caudal
       return differences.str();
     }
 
-    std::string compare_states(const IdealState &whole, const IdealState &resumed)
+    std::string compare_states(const IdealState &whole, const IdealState &resumed, MPI_Comm)
     {
       std::ostringstream differences;
       if (whole.time != resumed.time)
@@ -52,13 +57,13 @@ namespace caudal
       return differences.str();
     }
 
-    std::string describe_comparison(const Checkpoint &state)
+    std::string describe_comparison(const Checkpoint &state, const MPI_Comm communicator)
     {
-      return std::to_string(state.fluid.values.size()) +
+      return std::to_string(Utilities::MPI::sum(state.fluid.values.size(), communicator)) +
              " values of the fluid, all bodies, tables and the list of fields";
     }
 
-    std::string describe_comparison(const IdealState &)
+    std::string describe_comparison(const IdealState &, MPI_Comm)
     {
       return "impulses, place, energies, tables and the list of fields";
     }
@@ -103,7 +108,7 @@ namespace caudal
     };
     const auto read_last_state = [&](const std::string &folder) {
       Checkpoint state;
-      unpack(read_newest_checkpoint(base + folder, communicator).data, state);
+      read(read_newest_checkpoint(base + folder, communicator), state);
       return state;
     };
 
@@ -116,7 +121,7 @@ namespace caudal
     run.resume(stop_after(n_steps - n_before));
 
     const Checkpoint whole = read_last_state("whole"), resumed = read_last_state("resumed");
-    std::string      differences = compare_states(whole, resumed), files;
+    std::string      differences = compare_states(whole, resumed, communicator), files;
     if (whole.step_number != resumed.step_number)
       differences += " the numbers of steps, " + std::to_string(whole.step_number) + " and " +
                      std::to_string(resumed.step_number) + ";";
@@ -129,7 +134,8 @@ namespace caudal
                            " and resumed is not the one that was not interrupted. They differ in" +
                            differences + " see <" + base + "whole> and <" + base + "resumed>."));
     return std::to_string(whole.step_number) + " steps, and the same stopped " + stop +
-           " and resumed for the rest: " + describe_comparison(whole) + " are equal, bit by bit.";
+           " and resumed for the rest: " + describe_comparison(whole, communicator) +
+           " are equal, bit by bit.";
   }
 
   template std::string verify_restart<ImmersedSwimmer<2>>(const ParameterFile &, unsigned int,

@@ -45,12 +45,18 @@ namespace caudal
     AssertThrow(error.empty(), ExcMessage(error));
   }
 
-  void throw_on_all(const MPI_Comm communicator, const std::string &error)
+  std::string find_first_error(const MPI_Comm communicator, const std::string &error)
   {
     const unsigned int rank  = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int none  = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int first = Utilities::MPI::min(error.empty() ? none : rank, communicator);
-    AssertThrow(first == none, ExcMessage(Utilities::MPI::broadcast(communicator, error, first)));
+    return first == none ? "" : Utilities::MPI::broadcast(communicator, error, first);
+  }
+
+  void throw_on_all(const MPI_Comm communicator, const std::string &error)
+  {
+    const std::string first = find_first_error(communicator, error);
+    AssertThrow(first.empty(), ExcMessage(first));
   }
 
   void run_on_all(const MPI_Comm communicator, const std::function<void()> &action)

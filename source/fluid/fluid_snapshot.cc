@@ -47,14 +47,13 @@ namespace caudal
         one = *value++;
       typename DoFHandler<dim>::active_cell_iterator(cell, &dofs)->set_dof_values(values, field);
     }
-
-    void check_fit(const bool fits)
-    {
-      AssertThrow(fits,
-                  ExcMessage("The checkpoint holds the fluid on another grid. Resume with the "
-                             "Domain that wrote it."));
-    }
   } // namespace
+
+  void check_fit(const bool fits)
+  {
+    AssertThrow(fits, ExcMessage("The checkpoint holds the fluid on another grid. Resume with the "
+                                 "Domain that wrote it."));
+  }
 
   template <int dim>
   FluidSnapshot take_snapshot(const FluidSpace<dim>                  &space,
@@ -75,42 +74,6 @@ namespace caudal
         append(get_values(space.pressure_dofs, *cell, pressure));
       }
     return snapshot;
-  }
-
-  void gather_on_root(FluidSnapshot &snapshot, const MPI_Comm communicator)
-  {
-    const auto join = [&](auto &part) {
-      const auto parts = Utilities::MPI::gather(communicator, part);
-      part.clear();
-      for (const auto &one : parts)
-        part.insert(part.end(), one.begin(), one.end());
-    };
-    join(snapshot.cells);
-    join(snapshot.values);
-  }
-
-  template <int dim>
-  void restore_grid(const FluidSnapshot &snapshot, const DomainParameters<dim> &domain,
-                    parallel::distributed::Triangulation<dim> &triangulation)
-  {
-    const auto index = make_index(snapshot);
-    triangulation.clear();
-    make_domain(triangulation, domain);
-    for (unsigned int level = 0;; ++level)
-    {
-      int refines = 0;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned() && index.count(cell->id().template to_binary<dim>()) == 0)
-        {
-          cell->set_refine_flag();
-          refines = 1;
-        }
-      if (Utilities::MPI::max(refines, compatibility::get_communicator(triangulation)) == 0)
-        break;
-      check_fit(level + 1 < domain.levels);
-      triangulation.execute_coarsening_and_refinement();
-    }
-    check_fit(triangulation.n_global_active_cells() == index.size());
   }
 
   template <int dim>
@@ -141,8 +104,6 @@ namespace caudal
 #define INSTANTIATE(dim)                                                                           \
   template FluidSnapshot take_snapshot(                                                            \
       const FluidSpace<dim> &, const std::vector<const FieldVector *> &, const FieldVector &);     \
-  template void restore_grid(const FluidSnapshot &, const DomainParameters<dim> &,                 \
-                             parallel::distributed::Triangulation<dim> &);                         \
   template void restore_fields(const FluidSnapshot &, const FluidSpace<dim> &,                     \
                                const std::vector<FieldVector *> &, FieldVector &);
   INSTANTIATE(2)

@@ -84,7 +84,7 @@ namespace caudal
     if (checkpoints.has_written(state.step_number))
       return;
     state.fields = output.fields.get_series();
-    checkpoints.write(pack(state), state.step_number, state.time);
+    checkpoints.write(pack(state), "", state.step_number, state.time);
   }
 
   /** Removes the summary, and the tables of swims that are to begin anew. */

@@ -45,12 +45,12 @@ namespace caudal
   {
     namespace fs = std::filesystem;
 
-    const std::string title       = "Checkpoint of a run of Caudal, format 2";
+    const std::string title       = "Checkpoint of a run of Caudal, format 3";
     const std::string prefix      = "step-";
     const std::string copy_ending = "-copy"; // of a slot that is being written anew
     // The files of a slot
     const std::string state_name = "state", parameters_name = "parameters.prm",
-                      manifest_name = "manifest";
+                      manifest_name = "manifest", part_prefix = "part-";
 
     std::string get_folder(const std::string &results)
     {
@@ -79,20 +79,34 @@ namespace caudal
       return slots;
     }
 
+    std::string get_part_name(const unsigned int rank)
+    {
+      return part_prefix + Utilities::int_to_string(rank, 5);
+    }
+
+    bool is_part(const std::string &name)
+    {
+      static const std::regex pattern(part_prefix + "\\d{5,}");
+      return std::regex_match(name, pattern);
+    }
+
     /** Size and checksum, by which a file is recognised. */
     std::string describe(const std::string &text)
     {
       return std::to_string(text.size()) + ' ' + compute_checksum(text);
     }
 
-    std::string make_manifest(const std::string &data, const std::string &parameters,
+    /** @p parts: a line for each. */
+    std::string make_manifest(const std::string &data, const std::string &parts,
                               const unsigned int step, const double time,
                               const OutputFolder &output)
     {
+      const std::string &parameters = output.get_parameters();
       std::ostringstream text;
       text << title << "\nstep " << step << "\ntime " << std::setprecision(17) << time << " s\n"
            << state_name << ' ' << describe(data) << '\n'
-           << parameters_name << ' ' << describe(parameters) << '\n';
+           << parameters_name << ' ' << describe(parameters) << '\n'
+           << parts;
       for (const std::string &table : output.get_tables())
       {
         // A table that is gone is told by its next row.
@@ -158,60 +172,93 @@ namespace caudal
       return damages;
     }
 
-    /** Reads a slot, or throws an exception that says why it is not whole. */
-    void read_slot(const fs::path &slot, CheckpointSlot &checkpoint)
+    /** Reads a slot but for its parts, or throws an exception that says why it is not whole. */
+    CheckpointSlot read_slot(const fs::path &slot, const std::vector<std::string> &manifest)
     {
-      const std::vector<std::string> manifest = read_manifest(slot);
-      checkpoint.data                         = read_part(slot, state_name, manifest);
-      checkpoint.parameters                   = read_part(slot, parameters_name, manifest);
-      checkpoint.damages = find_damages(slot.parent_path().parent_path(), manifest);
-      checkpoint.path    = slot.string();
+      CheckpointSlot checkpoint;
+      checkpoint.data       = read_part(slot, state_name, manifest);
+      checkpoint.parameters = read_part(slot, parameters_name, manifest);
+      checkpoint.damages    = find_damages(slot.parent_path().parent_path(), manifest);
+      checkpoint.path       = slot.string();
+      return checkpoint;
+    }
+
+    /** A rank's share of the parts: neighbours stay together. */
+    std::vector<std::string> read_parts(const fs::path                 &slot,
+                                        const std::vector<std::string> &manifest,
+                                        const unsigned int rank, const unsigned int n_ranks)
+    {
+      std::vector<std::string> names, parts;
+      for (const std::string &line : manifest)
+        if (const std::string name = line.substr(0, line.find(' ')); is_part(name))
+          names.push_back(name);
+      for (std::size_t k = rank * names.size() / n_ranks; k < (rank + 1) * names.size() / n_ranks;
+           ++k)
+        parts.push_back(read_part(slot, names[k], manifest));
+      return parts;
+    }
+
+    std::string describe_skipped(const fs::path &slot, const std::string &reason)
+    {
+      return "The checkpoint <" + slot.string() + "> was skipped: " + reason + ".";
     }
 
     /** Removes a slot, but no file of somebody else in it. */
     void remove_slot(const fs::path &slot)
     {
-      for (const std::string &name : {manifest_name, state_name, parameters_name})
-        fs::remove(slot / name);
+      std::vector<fs::path> files{slot / manifest_name, slot / state_name, slot / parameters_name};
+      if (fs::is_directory(slot))
+        for (const auto &entry : fs::directory_iterator(slot))
+          if (is_part(entry.path().filename().string()))
+            files.push_back(entry.path());
+      for (const fs::path &file : files)
+        fs::remove(file);
       std::error_code ignored;
       fs::remove(slot, ignored);
     }
 
-    /** The newest whole checkpoint; its path is empty if there is none. */
+    /** The newest checkpoint of which this rank finds all parts whole; "" if there is none. */
     CheckpointSlot find_newest(const fs::path &folder)
     {
-      CheckpointSlot checkpoint;
       for (const fs::path &slot : find_slots(folder))
         try
         {
-          read_slot(slot, checkpoint);
-          break;
+          const std::vector<std::string> manifest   = read_manifest(slot);
+          CheckpointSlot                 checkpoint = read_slot(slot, manifest);
+          read_parts(slot, manifest, 0, 1);
+          return checkpoint;
         }
-        catch (const std::exception &exception)
-        {
-          checkpoint.skipped.push_back("The checkpoint <" + slot.string() +
-                                       "> was skipped: " + exception.what() + ".");
-        }
-      return checkpoint;
+        catch (const std::exception &)
+        {}
+      return {};
     }
 
-    /** Keeps @p n_slots of them. */
-    void write_slot(const OutputFolder &output, const std::string &data, const unsigned int step,
-                    const double time, const unsigned int n_slots)
+    fs::path get_unfinished(const OutputFolder &output)
     {
-      const fs::path root = get_folder(output.path()), unfinished = root / "unfinished";
-      const fs::path slot = root / (prefix + Utilities::int_to_string(step, 8));
+      return fs::path(get_folder(output.path())) / "unfinished";
+    }
+
+    /** Makes the folder of a slot that is being written. */
+    void begin_slot(const OutputFolder &output)
+    {
       if (!fs::is_directory(output.path()))
         throw std::runtime_error("the folder <" + output.path() + "> is gone");
-      fs::create_directory(root);
+      fs::create_directory(get_folder(output.path()));
+      const fs::path unfinished = get_unfinished(output);
       remove_slot(unfinished);
       fs::create_directory(unfinished); // first, so that others see that it is being written
       output.synchronise();
-      const std::string &parameters = output.get_parameters();
+    }
+
+    /** Writes what rank 0 does into it and gives it its name; keeps @p n_slots of them. */
+    void finish_slot(const OutputFolder &output, const std::string &data, const std::string &parts,
+                     const unsigned int step, const double time, const unsigned int n_slots)
+    {
+      const fs::path root = get_folder(output.path()), unfinished = get_unfinished(output);
+      const fs::path slot = root / (prefix + Utilities::int_to_string(step, 8));
       write_whole_file(unfinished / state_name, data);
-      write_whole_file(unfinished / parameters_name, parameters);
-      write_whole_file(unfinished / manifest_name,
-                       make_manifest(data, parameters, step, time, output));
+      write_whole_file(unfinished / parameters_name, output.get_parameters());
+      write_whole_file(unfinished / manifest_name, make_manifest(data, parts, step, time, output));
       synchronise(unfinished);
 
       // The one that is written anew stays whole, as a copy, until this one is there.
@@ -231,19 +278,47 @@ namespace caudal
 
   CheckpointSlot read_newest_checkpoint(const std::string &results, const MPI_Comm communicator)
   {
-    CheckpointSlot checkpoint;
+    const unsigned int       rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<std::string> slots, skipped;
     run_on_root(communicator, [&]() {
-      checkpoint = find_newest(get_folder(results));
-      std::string reasons;
-      for (const std::string &sentence : checkpoint.skipped)
-        reasons += " " + sentence;
-      AssertThrow(!checkpoint.path.empty(),
-                  ExcMessage("The folder <" + results + "> holds no checkpoint to resume from." +
-                             reasons +
-                             " Give the folder of a run that has written one, or start the "
-                             "run anew."));
+      for (const fs::path &slot : find_slots(get_folder(results)))
+        slots.push_back(slot.string());
     });
-    return Utilities::MPI::broadcast(communicator, checkpoint);
+    slots = Utilities::MPI::broadcast(communicator, slots);
+    for (const std::string &slot : slots)
+    {
+      CheckpointSlot           checkpoint;
+      std::vector<std::string> manifest, parts;
+      std::string              reason;
+      if (rank == 0)
+        reason = catch_error([&]() {
+          manifest   = read_manifest(slot);
+          checkpoint = read_slot(slot, manifest);
+        });
+      manifest = Utilities::MPI::broadcast(communicator, manifest);
+      reason   = find_first_error(communicator, reason);
+      if (reason.empty())
+        reason = find_first_error(communicator, catch_error([&]() {
+                                    parts = read_parts(slot, manifest, rank, n_ranks);
+                                  }));
+      if (reason.empty())
+      {
+        checkpoint         = Utilities::MPI::broadcast(communicator, checkpoint);
+        checkpoint.parts   = parts;
+        checkpoint.skipped = skipped;
+        return checkpoint;
+      }
+      skipped.push_back(describe_skipped(slot, reason));
+    }
+    std::string reasons;
+    for (const std::string &sentence : skipped)
+      reasons += " " + sentence;
+    AssertThrow(false, ExcMessage("The folder <" + results +
+                                  "> holds no checkpoint to resume from." + reasons +
+                                  " Give the folder of a run that has written one, or start the "
+                                  "run anew."));
+    return {};
   }
 
   std::string find_newest_parameters(const std::string &results)
@@ -287,26 +362,48 @@ namespace caudal
     return Utilities::MPI::max(static_cast<int>(by_steps || by_time), communicator) > 0;
   }
 
-  void CheckpointWriter::write(const std::string &data, const unsigned int step, const double time)
+  std::string CheckpointWriter::try_to_write(const std::string &data, const std::string &part,
+                                             const unsigned int step, const double time) const
   {
-    const std::string results = output->path(), folder = get_folder(results);
-    run_on_root(communicator, [&]() {
-      const std::string reason =
-          catch_file_error([&]() { write_slot(*output, data, step, time, parameters.n_slots); });
-      if (reason.empty())
-        return;
-      catch_file_error([&]() { remove_slot(fs::path(folder) / "unfinished"); });
-      bool is_one_left = false;
-      catch_file_error([&]() { is_one_left = !find_newest(folder).path.empty(); });
-      AssertThrow(false,
-                  ExcMessage("The checkpoint of step " + std::to_string(step) +
-                             " can't be written to <" + folder + ">: " + reason +
-                             (is_one_left ? ". An earlier checkpoint there is still whole. Make "
-                                            "room or give access, then go on by caudal --resume " +
-                                                results + "."
-                                          : ". There is no whole checkpoint left there. Make room "
-                                            "or give access, then start the run anew.")));
-    });
+    const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
+    const auto         try_it = [&](const bool takes_part, const auto &action) {
+      return find_first_error(communicator, takes_part ? catch_file_error(action) : "");
+    };
+    std::string reason = try_it(rank == 0, [&]() { begin_slot(*output); });
+    if (!reason.empty())
+      return reason;
+    const std::string name = get_part_name(rank);
+    reason =
+        try_it(!part.empty(), [&]() { write_whole_file(get_unfinished(*output) / name, part); });
+    if (!reason.empty())
+      return reason;
+    std::string lines;
+    for (const std::string &line : Utilities::MPI::gather(
+             communicator, part.empty() ? "" : name + ' ' + describe(part) + '\n'))
+      lines += line;
+    return try_it(rank == 0,
+                  [&]() { finish_slot(*output, data, lines, step, time, parameters.n_slots); });
+  }
+
+  void CheckpointWriter::write(const std::string &data, const std::string &part,
+                               const unsigned int step, const double time)
+  {
+    const std::string reason = try_to_write(data, part, step, time);
+    if (!reason.empty())
+      run_on_root(communicator, [&]() {
+        const std::string results = output->path(), folder = get_folder(results);
+        catch_file_error([&]() { remove_slot(get_unfinished(*output)); });
+        bool is_one_left = false;
+        catch_file_error([&]() { is_one_left = !find_newest(folder).path.empty(); });
+        AssertThrow(
+            false, ExcMessage("The checkpoint of step " + std::to_string(step) +
+                              " can't be written to <" + folder + ">: " + reason +
+                              (is_one_left ? ". An earlier checkpoint there is still whole. Make "
+                                             "room or give access, then go on by caudal --resume " +
+                                                 results + "."
+                                           : ". There is no whole checkpoint left there. Make "
+                                             "room or give access, then start the run anew.")));
+      });
     last_step = step;
     clock.restart();
   }

@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <regex>
 #include <sstream>
 
@@ -20,26 +22,82 @@ namespace caudal
   {
     const int n_digits = 12; // of times
 
-    /**
-     * Puts the pieces of all ranks into the frame of rank 0's. MPI's own parallel output
-     * does not tell when the disk is full.
-     */
-    std::string join_pieces(const std::string &text, const MPI_Comm communicator)
+    /** A rank's cells in a VTU file, and what stands before and behind them. */
+    struct Piece
     {
-      const std::string begins = "<Piece", ends = "</Piece>\n";
-      const auto        get_begin = [&](const std::string &t) { return t.find(begins); };
-      const auto        get_end = [&](const std::string &t) { return t.rfind(ends) + ends.size(); };
-      // A rank without cells has no piece.
-      const std::vector<std::string> texts = Utilities::MPI::gather(communicator, text);
-      std::string                    pieces, before, after;
-      for (const std::string &one : texts)
-        if (get_begin(one) != std::string::npos)
-        {
-          before = before.empty() ? one.substr(0, get_begin(one)) : before;
-          after  = one.substr(get_end(one));
-          pieces += one.substr(get_begin(one), get_end(one) - get_begin(one));
-        }
-      return before + pieces + after;
+      explicit Piece(const std::string &text)
+      {
+        const std::string begin = "<Piece", end = "</Piece>\n";
+        if (text.find(begin) == std::string::npos)
+          return; // a rank without cells has none
+        const std::size_t first = text.find(begin), last = text.rfind(end) + end.size();
+        cells = text.substr(first, last - first);
+        frame = {text.substr(0, first), text.substr(last)};
+      }
+
+      std::string                         cells;
+      std::pair<std::string, std::string> frame;
+    };
+
+    void send_to_root(const std::string &text, const MPI_Comm communicator)
+    {
+      const int error = MPI_Send(text.data(), text.size(), MPI_CHAR, 0, 0, communicator);
+      AssertThrowMPI(error);
+    }
+
+    std::string receive(const unsigned int rank, const MPI_Comm communicator)
+    {
+      MPI_Status status;
+      int        size  = 0;
+      int        error = MPI_Probe(rank, 0, communicator, &status);
+      AssertThrowMPI(error);
+      error = MPI_Get_count(&status, MPI_CHAR, &size);
+      AssertThrowMPI(error);
+      std::string text(size, ' ');
+      error = MPI_Recv(text.data(), size, MPI_CHAR, rank, 0, communicator, MPI_STATUS_IGNORE);
+      AssertThrowMPI(error);
+      return text;
+    }
+
+    /**
+     * Writes the pieces of all ranks into one file, one after the other: rank 0 holds no more than
+     * two of them. MPI's own parallel output does not tell when the disk is full. Collective.
+     */
+    void write_pieces(const std::function<std::filesystem::path()> &get_path,
+                      const std::string &text, const MPI_Comm communicator)
+    {
+      const Piece        own(text);
+      const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int first =
+          Utilities::MPI::min(own.cells.empty() ? n_ranks - 1 : rank, communicator);
+      const auto  frame = Utilities::MPI::broadcast(communicator, own.frame, first);
+      std::string error;
+      if (rank == 0)
+      {
+        std::filesystem::path path;
+        error = catch_error([&]() {
+          path = get_path();
+          write_whole_file(path, frame.first + own.cells);
+        });
+        for (unsigned int other = 1; other < n_ranks; ++other)
+          if (const std::string cells = receive(other, communicator); error.empty())
+            error = catch_error([&]() { append_to_file(path, cells); });
+        if (error.empty())
+          error = catch_error([&]() {
+            append_to_file(path, frame.second);
+            synchronise(path);
+          });
+      }
+      else if (own.cells.size() <= std::numeric_limits<int>::max())
+        send_to_root(own.cells, communicator);
+      else
+      {
+        send_to_root("", communicator);
+        error = "Output/Format: a rank has more than 2 GiB for one file. Choose hdf5, or more "
+                "ranks.";
+      }
+      throw_on_all(communicator, error);
     }
 
     /** Writes the data as VTU and returns their entry in the list. Collective. */
@@ -56,8 +114,7 @@ namespace caudal
       data_out.set_flags(flags);
       std::ostringstream text;
       data_out.write_vtu(text);
-      const std::string all = join_pieces(text.str(), communicator);
-      run_on_root(communicator, [&]() { write_whole_file(folder.add(file), all); });
+      write_pieces([&]() { return folder.add(file); }, text.str(), communicator);
 
       std::ostringstream entry;
       entry.precision(n_digits);

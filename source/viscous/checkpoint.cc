@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/base/archive.h>
+#include <caudal/fluid/snapshot_index.h>
 #include <caudal/viscous/checkpoint.h>
 
 #include <boost/serialization/utility.hpp>
@@ -31,6 +32,21 @@ namespace caudal
     };
   } // namespace
 
+  void read(const CheckpointSlot &slot, Checkpoint &checkpoint)
+  {
+    unpack(slot.data, checkpoint);
+    for (const std::string &bytes : slot.parts)
+    {
+      FluidSnapshot part;
+      unpack(bytes, part);
+      const auto append = [](const auto &more, auto &all) {
+        all.insert(all.end(), more.begin(), more.end());
+      };
+      append(part.cells, checkpoint.fluid.cells);
+      append(part.values, checkpoint.fluid.values);
+    }
+  }
+
   template <int dim>
   Checkpoint take_checkpoint(const Operators<dim> &operators, const State<dim> &state)
   {
@@ -58,7 +74,6 @@ namespace caudal
                         {bodies_part, pack(bodies)},
                         {solver_part, pack(solver)}};
     checkpoint.fluid = take_snapshot(operators.space, velocities, state.fluid.pressure);
-    gather_on_root(checkpoint.fluid, operators.communicator);
     return checkpoint;
   }
 
@@ -80,13 +95,15 @@ namespace caudal
     }
     state.solver = solver.memory;
 
-    restore_grid(checkpoint.fluid, operators.parameters.domain, operators.triangulation);
+    const SnapshotIndex<dim> fluid(checkpoint.fluid, operators.communicator);
+    restore_grid(fluid, operators.parameters.domain, operators.triangulation);
     operators.reinit();
     const auto                 point      = std::make_shared<Linearisation>(solver.linearisation);
     std::vector<FieldVector *> velocities = state.fluid.get_velocities();
     if (solver.has_transport)
       velocities.push_back(&point->transport);
-    restore_fields(checkpoint.fluid, operators.space, velocities, state.fluid.pressure);
+    restore_fields(fluid.extract(operators.triangulation), operators.space, velocities,
+                   state.fluid.pressure);
     if (solver.has_linearisation)
       state.solver.linearisation = point;
     return state;

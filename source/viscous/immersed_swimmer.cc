@@ -321,7 +321,7 @@ namespace caudal
     checkpoint.parameters         = parameter_values;
     checkpoint.parts[report_part] = pack(report);
     checkpoint.parts[output_part] = pack(observers);
-    writer.write(pack(checkpoint), step_number, state.time.get_time());
+    writer.write(pack(checkpoint), pack(checkpoint.fluid), step_number, state.time.get_time());
   }
 
   template <int dim>

@@ -47,6 +47,15 @@ mpirun -np 2 "$CAUDAL" --resume results >printed 2>errors || cat errors
 x() { column "disc: x of centre of mass" "$1" | tail -n 1; }
 check "the same place" "($(x results/statistics.txt) - $(x whole.txt))^2 < 1e-7^2"
 
+echo "* two ranks lost a part of their newest checkpoint; three go on with the one before"
+mpirun -np 2 "$CAUDAL" disc.prm -D "Output/Folder=two" -D "Checkpoint/Interval of steps=5" \
+  -D "Time/End time=0.2" >printed 2>errors || cat errors
+ls two/restart/*
+rm two/restart/step-00000020/part-00001
+mpirun -np 3 --oversubscribe "$CAUDAL" --resume two >printed 2>errors || cat errors
+grep -h "skipped\|Resumed" printed
+check "the same place" "($(x two/statistics.txt) - $(x whole.txt))^2 < 1e-7^2"
+
 echo "* what can't be resumed"
 refuse_resume() {
   "$CAUDAL" --resume "$@" >printed 2>errors

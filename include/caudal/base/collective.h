@@ -19,6 +19,9 @@ namespace caudal
    */
   void run_on_root(MPI_Comm communicator, const std::function<void()> &action);
 
+  /** The error of the first rank that has one, on all ranks; "" if none has. Collective. */
+  std::string find_first_error(MPI_Comm communicator, const std::string &error);
+
   /** Throws the error of the first rank that has one on all ranks. Collective. */
   void throw_on_all(MPI_Comm communicator, const std::string &error);
 

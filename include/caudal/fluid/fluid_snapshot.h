@@ -34,16 +34,8 @@ namespace caudal
                               const std::vector<const FieldVector *> &velocities,
                               const FieldVector                      &pressure);
 
-  /** Puts the parts of all ranks together on rank 0; on the others it is then empty. Collective. */
-  void gather_on_root(FluidSnapshot &snapshot, MPI_Comm communicator);
-
-  /**
-   * Makes @p triangulation the grid of the @p snapshot, which all ranks hold, from the coarse
-   * grid on. Throws if the snapshot is that of another domain. Collective.
-   */
-  template <int dim>
-  void restore_grid(const FluidSnapshot &snapshot, const DomainParameters<dim> &domain,
-                    parallel::distributed::Triangulation<dim> &triangulation);
+  /** Throws the sentence that a snapshot is that of another grid unless it @p fits. */
+  void check_fit(bool fits);
 
   /**
    * Sets the fields on the grid of the @p snapshot, which holds at least this rank's cells, to its

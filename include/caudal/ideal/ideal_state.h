@@ -2,8 +2,10 @@
 #ifndef caudal_ideal_ideal_state_h
 #define caudal_ideal_ideal_state_h
 
+#include <caudal/base/archive.h>
 #include <caudal/base/declared_parameters.h>
 #include <caudal/ideal/motion_sample.h>
+#include <caudal/io/checkpoints.h>
 #include <caudal/io/field_output.h>
 
 #include <boost/serialization/map.hpp>
@@ -69,6 +71,12 @@ namespace caudal
       archive &step_number &time &parameters &swims &fields;
     }
   };
+
+  /** Reads a state from a slot, which has no parts. */
+  inline void read(const CheckpointSlot &slot, IdealState &state)
+  {
+    unpack(slot.data, state);
+  }
 } // namespace caudal
 
 #endif

@@ -32,6 +32,7 @@ namespace caudal
   struct CheckpointSlot
   {
     std::string              data;       ///< on all ranks
+    std::vector<std::string> parts;      ///< this rank's share of them
     std::string              path;       ///< of its slot
     std::vector<std::string> skipped;    ///< newer slots that are not whole, and why
     std::string              parameters; ///< of the run, as a parameter file
@@ -64,8 +65,9 @@ namespace caudal
    * Writes a run's checkpoints when they are due; knows when its wall time is over.
    *
    * They are in the folder `restart` of its results: one slot for each, `step-00000120`, with the
-   * state, the run's parameters.prm, and a manifest that holds sizes and CRC-32 sums of both and of
-   * the tables as they were then. A slot is written under another name, synchronised with the disk,
+   * state, a part of it that each rank writes, `part-00000`, the run's parameters.prm, and a
+   * manifest that holds sizes and CRC-32 sums of all and of the tables as they were then. A slot is
+   * written under another name, synchronised with the disk,
    * as is all that the run had written before, and then renamed, so that it is whole or not there;
    * older ones are removed only after that.
    */
@@ -88,11 +90,11 @@ namespace caudal
     }
 
     /**
-     * Writes the @p data of rank 0, the state after the step with the number
-     * @p step at @p time [s]. Throws on all ranks if the disk refuses; what
-     * was there before stays. Collective.
+     * Writes the state after the step with the number @p step at @p time [s]: the @p data of rank
+     * 0, and what each rank has of the rest, its @p part, which may be nothing. Throws on all ranks
+     * if the disk refuses; what was there before stays. Collective.
      */
-    void write(const std::string &data, unsigned int step, double time);
+    void write(const std::string &data, const std::string &part, unsigned int step, double time);
 
     /** Whether the run has used up its wall time. Collective. */
     bool is_out_of_time() const;
@@ -104,6 +106,10 @@ namespace caudal
     dealii::Timer               clock; // since the last one
     const OutputFolder         *output = nullptr;
     std::optional<unsigned int> last_step;
+
+    /** What the disk says if it refuses; "" if it does not. */
+    std::string try_to_write(const std::string &data, const std::string &part, unsigned int step,
+                             double time) const;
   };
 
   /** A sentence on a run that stopped after a step, on request or as its wall time was over. */

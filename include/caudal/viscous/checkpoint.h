@@ -4,6 +4,7 @@
 
 #include <caudal/base/declared_parameters.h>
 #include <caudal/fluid/fluid_snapshot.h>
+#include <caudal/io/checkpoints.h>
 #include <caudal/viscous/operators.h>
 
 #include <boost/serialization/map.hpp>
@@ -17,18 +18,21 @@ namespace caudal
     unsigned int    step_number = 0;
     double          time        = 0; // [s]
     ParameterValues parameters;      // that made it
-    FluidSnapshot   fluid;
+    FluidSnapshot   fluid;           // a part of it on each rank, archived apart
     /** Archives of everything else, by what they hold. */
     std::map<std::string, std::string> parts;
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int /*version*/)
     {
-      archive &step_number &time &parameters &fluid &parts;
+      archive &step_number &time &parameters &parts;
     }
   };
 
-  /** The checkpoint of a @p state, without reports; complete on rank 0. Collective. */
+  /** Reads the checkpoint from a slot; this rank has its share of the fluid. */
+  void read(const CheckpointSlot &slot, Checkpoint &checkpoint);
+
+  /** The checkpoint of a @p state, without reports, with this rank's cells of the fluid. */
   template <int dim>
   Checkpoint take_checkpoint(const Operators<dim> &operators, const State<dim> &state);
 
