@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <caudal/app/model_run.h>
-#include <caudal/base/archive.h>
 #include <caudal/base/collective.h>
 #include <caudal/ideal/ideal_swimmer.h>
 #include <caudal/passage/fish_passage.h>

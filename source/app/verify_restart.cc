@@ -107,8 +107,9 @@ namespace caudal
       return run.start(stop_after(n));
     };
     const auto read_last_state = [&](const std::string &folder) {
-      Checkpoint state;
-      read(read_newest_checkpoint(base + folder, communicator), state);
+      Checkpoint           state;
+      const CheckpointSlot slot = read_newest_checkpoint(base + folder, communicator);
+      run_on_all(communicator, [&]() { read(slot, state); });
       return state;
     };
 

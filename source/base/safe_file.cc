@@ -40,11 +40,11 @@ namespace caudal
       File(const File &)            = delete;
       File &operator=(const File &) = delete;
 
-      void write_all(const std::string &text) const
+      void write_all(const char *const begin, const std::size_t size) const
       {
-        for (std::size_t written = 0; written < text.size();)
+        for (std::size_t written = 0; written < size;)
         {
-          const ssize_t n = write(descriptor, text.data() + written, text.size() - written);
+          const ssize_t n = ::write(descriptor, begin + written, size - written);
           if (n < 0 && errno == EINTR)
             continue;
           check(n > 0, "written");
@@ -59,22 +59,48 @@ namespace caudal
                                    std::strerror(errno));
       }
 
-      const std::filesystem::path &path;
-      const int                    descriptor;
+      const std::filesystem::path path;
+      const int                   descriptor;
     };
   } // namespace
 
+  struct SafeFile::Implementation
+  {
+    explicit Implementation(const std::filesystem::path &path)
+        : file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC)
+    {}
+
+    const File file;
+  };
+
+  SafeFile::SafeFile(const std::filesystem::path &path)
+      : implementation(std::make_unique<Implementation>(path))
+  {}
+
+  SafeFile::~SafeFile() = default;
+
+  void SafeFile::write(const char *const begin, const std::size_t n)
+  {
+    implementation->file.write_all(begin, n);
+  }
+
+  void SafeFile::finish()
+  {
+    const File &file = implementation->file;
+    file.check(fsync(file.descriptor) == 0, "written");
+  }
+
   void write_whole_file(const std::filesystem::path &path, const std::string &text)
   {
-    const File file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-    file.write_all(text);
-    file.check(fsync(file.descriptor) == 0, "written");
+    SafeFile file(path);
+    file.write(text.data(), text.size());
+    file.finish();
   }
 
   void append_to_file(const std::filesystem::path &path, const std::string &text)
   {
     const File file(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC);
-    file.write_all(text);
+    file.write_all(text.data(), text.size());
   }
 
   void replace_file(const std::filesystem::path &path, const std::string &text)

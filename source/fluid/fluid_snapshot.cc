@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <caudal/base/compatibility.h>
+#include <caudal/base/collective.h>
 #include <caudal/fluid/fluid_snapshot.h>
 
 #include <deal.II/grid/cell_id.h>
@@ -83,7 +83,8 @@ namespace caudal
     const auto         index  = make_index(snapshot);
     const unsigned int stride = velocities.size() * space.velocity_element.n_dofs_per_cell() +
                                 space.pressure_element.n_dofs_per_cell();
-    check_fit(snapshot.values.size() == index.size() * stride);
+    run_on_all(space.get_communicator(),
+               [&]() { check_fit(snapshot.values.size() == index.size() * stride); });
     for (FieldVector *velocity : velocities)
       velocity->reinit(space.get_velocity_layout());
     pressure.reinit(space.make_pressure_vector());

@@ -7,6 +7,8 @@
 
 #include <boost/container_hash/hash.hpp>
 
+#include <algorithm>
+
 using namespace dealii;
 
 namespace caudal

@@ -183,15 +183,22 @@ namespace caudal
       return checkpoint;
     }
 
-    /** A rank's share of the parts: neighbours stay together. */
-    std::vector<std::string> read_parts(const fs::path                 &slot,
-                                        const std::vector<std::string> &manifest,
-                                        const unsigned int rank, const unsigned int n_ranks)
+    std::vector<std::string> get_parts(const std::vector<std::string> &manifest)
     {
-      std::vector<std::string> names, parts;
+      std::vector<std::string> names;
       for (const std::string &line : manifest)
         if (const std::string name = line.substr(0, line.find(' ')); is_part(name))
           names.push_back(name);
+      return names;
+    }
+
+    /** A rank's share of the parts: neighbours stay together. */
+    std::vector<std::string> read_parts(const fs::path                 &slot,
+                                        const std::vector<std::string> &manifest,
+                                        const std::size_t rank, const std::size_t n_ranks)
+    {
+      const std::vector<std::string> names = get_parts(manifest);
+      std::vector<std::string>       parts;
       for (std::size_t k = rank * names.size() / n_ranks; k < (rank + 1) * names.size() / n_ranks;
            ++k)
         parts.push_back(read_part(slot, names[k], manifest));
@@ -217,7 +224,7 @@ namespace caudal
       fs::remove(slot, ignored);
     }
 
-    /** The newest checkpoint of which this rank finds all parts whole; "" if there is none. */
+    /** The newest whole checkpoint, without its parts; its path is empty if there is none. */
     CheckpointSlot find_newest(const fs::path &folder)
     {
       for (const fs::path &slot : find_slots(folder))
@@ -225,7 +232,8 @@ namespace caudal
         {
           const std::vector<std::string> manifest   = read_manifest(slot);
           CheckpointSlot                 checkpoint = read_slot(slot, manifest);
-          read_parts(slot, manifest, 0, 1);
+          for (const std::string &part : get_parts(manifest))
+            read_part(slot, part, manifest);
           return checkpoint;
         }
         catch (const std::exception &)
@@ -305,7 +313,7 @@ namespace caudal
       if (reason.empty())
       {
         checkpoint         = Utilities::MPI::broadcast(communicator, checkpoint);
-        checkpoint.parts   = parts;
+        checkpoint.parts   = std::move(parts);
         checkpoint.skipped = skipped;
         return checkpoint;
       }
@@ -367,7 +375,12 @@ namespace caudal
   {
     const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
     const auto         try_it = [&](const bool takes_part, const auto &action) {
-      return find_first_error(communicator, takes_part ? catch_file_error(action) : "");
+      std::string       reason;
+      const std::string other_error = catch_error([&]() {
+        if (takes_part)
+          reason = catch_file_error(action);
+      });
+      return find_first_error(communicator, reason.empty() ? other_error : reason);
     };
     std::string reason = try_it(rank == 0, [&]() { begin_slot(*output); });
     if (!reason.empty())
@@ -379,7 +392,7 @@ namespace caudal
       return reason;
     std::string lines;
     for (const std::string &line : Utilities::MPI::gather(
-             communicator, part.empty() ? "" : name + ' ' + describe(part) + '\n'))
+             communicator, part.empty() ? std::string() : name + ' ' + describe(part) + '\n'))
       lines += line;
     return try_it(rank == 0,
                   [&]() { finish_slot(*output, data, lines, step, time, parameters.n_slots); });

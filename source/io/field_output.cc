@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "joined_pieces.h"
+
 #include <caudal/base/checks.h>
 #include <caudal/base/collective.h>
 #include <caudal/base/compatibility.h>
@@ -9,8 +11,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
-#include <limits>
 #include <regex>
 #include <sstream>
 
@@ -21,84 +21,6 @@ namespace caudal
   namespace
   {
     const int n_digits = 12; // of times
-
-    /** A rank's cells in a VTU file, and what stands before and behind them. */
-    struct Piece
-    {
-      explicit Piece(const std::string &text)
-      {
-        const std::string begin = "<Piece", end = "</Piece>\n";
-        if (text.find(begin) == std::string::npos)
-          return; // a rank without cells has none
-        const std::size_t first = text.find(begin), last = text.rfind(end) + end.size();
-        cells = text.substr(first, last - first);
-        frame = {text.substr(0, first), text.substr(last)};
-      }
-
-      std::string                         cells;
-      std::pair<std::string, std::string> frame;
-    };
-
-    void send_to_root(const std::string &text, const MPI_Comm communicator)
-    {
-      const int error = MPI_Send(text.data(), text.size(), MPI_CHAR, 0, 0, communicator);
-      AssertThrowMPI(error);
-    }
-
-    std::string receive(const unsigned int rank, const MPI_Comm communicator)
-    {
-      MPI_Status status;
-      int        size  = 0;
-      int        error = MPI_Probe(rank, 0, communicator, &status);
-      AssertThrowMPI(error);
-      error = MPI_Get_count(&status, MPI_CHAR, &size);
-      AssertThrowMPI(error);
-      std::string text(size, ' ');
-      error = MPI_Recv(text.data(), size, MPI_CHAR, rank, 0, communicator, MPI_STATUS_IGNORE);
-      AssertThrowMPI(error);
-      return text;
-    }
-
-    /**
-     * Writes the pieces of all ranks into one file, one after the other: rank 0 holds no more than
-     * two of them. MPI's own parallel output does not tell when the disk is full. Collective.
-     */
-    void write_pieces(const std::function<std::filesystem::path()> &get_path,
-                      const std::string &text, const MPI_Comm communicator)
-    {
-      const Piece        own(text);
-      const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-      const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-      const unsigned int first =
-          Utilities::MPI::min(own.cells.empty() ? n_ranks - 1 : rank, communicator);
-      const auto  frame = Utilities::MPI::broadcast(communicator, own.frame, first);
-      std::string error;
-      if (rank == 0)
-      {
-        std::filesystem::path path;
-        error = catch_error([&]() {
-          path = get_path();
-          write_whole_file(path, frame.first + own.cells);
-        });
-        for (unsigned int other = 1; other < n_ranks; ++other)
-          if (const std::string cells = receive(other, communicator); error.empty())
-            error = catch_error([&]() { append_to_file(path, cells); });
-        if (error.empty())
-          error = catch_error([&]() {
-            append_to_file(path, frame.second);
-            synchronise(path);
-          });
-      }
-      else if (own.cells.size() <= std::numeric_limits<int>::max())
-        send_to_root(own.cells, communicator);
-      else
-      {
-        send_to_root("", communicator);
-        error = "Output/Format: a rank has more than 2 GiB for one file. Choose hdf5, or more "
-                "ranks.";
-      }
-      throw_on_all(communicator, error);
-    }
 
     /** Writes the data as VTU and returns their entry in the list. Collective. */
     template <int dim, int spacedim>
@@ -112,9 +34,13 @@ namespace caudal
       flags.print_date_and_time = false; // equal runs give equal files
       flags.compression_level   = decltype(flags.compression_level)::best_speed;
       data_out.set_flags(flags);
-      std::ostringstream text;
-      data_out.write_vtu(text);
-      write_pieces([&]() { return folder.add(file); }, text.str(), communicator);
+      write_joined_pieces([&]() { return folder.add(file); },
+                          [&]() {
+                            std::ostringstream text;
+                            data_out.write_vtu(text);
+                            return text.str();
+                          },
+                          communicator);
 
       std::ostringstream entry;
       entry.precision(n_digits);

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -171,10 +172,12 @@ namespace caudal
 
   IndexSet DistributedCholesky::get_own_interface() const
   {
-    IndexSet own(n_interface);
-    own.add_indices(met_interface.begin(), met_interface.end());
+    std::vector<unsigned int> places(met_interface.begin(), met_interface.end());
     for (const int i : owned_interface)
-      own.add_index(place[i]);
+      places.push_back(place[i]);
+    std::sort(places.begin(), places.end());
+    IndexSet own(n_interface);
+    own.add_indices(places.begin(), places.end());
     return own;
   }
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace dealii;
 
@@ -46,11 +47,8 @@ namespace caudal
     divide(matrices.E);
     bound_rates();
     collect_coupling();
-    std::vector<bool> is_force(division.owned.size());
-    for (const int place_of_f : division.place_of_x)
-      if (place_of_f >= 0)
-        is_force[place_of_f] = true;
-    const bool is_definite = joint.factorize(division.owned, collect_joint(matrices), is_force);
+    const bool is_definite =
+        joint.factorize(division.owned, collect_joint(matrices), division.is_force);
     AssertThrow(
         is_definite,
         ExcMessage("The matrix of the forces of the bodies is not positive definite. Choose "

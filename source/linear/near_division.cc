@@ -77,9 +77,11 @@ namespace caudal
     owned = IndexSet(n);
     owned.add_range(next[rank], next[rank + 1]);
     place_of_x.assign(matrices.owned_x.size(), -1);
+    is_force.resize(n);
     for (unsigned int k = 0; k < n; ++k)
     {
       const int place = next[slices[k]]++;
+      is_force[place] = k >= n_q;
       if (k >= n_q)
         place_of_x[forces[k - n_q]] = place;
       else

@@ -20,8 +20,9 @@ namespace caudal
     /** Of the unknowns q and f, numbered slice by slice. */
     dealii::IndexSet owned;
     /** Their numbers; for x that are no force density -1. */
-    std::vector<int> place_of_q, place_of_x;
-    std::vector<int> own_q;
+    std::vector<int>  place_of_q, place_of_x;
+    std::vector<bool> is_force; // by the number
+    std::vector<int>  own_q;
     /** Bodies that this rank has but for their forces. */
     std::vector<unsigned int> own_bodies;
   };

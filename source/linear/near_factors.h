@@ -17,6 +17,7 @@ namespace caudal
 
     virtual ~NearFactors() = default;
 
+    /** See NearSystem. */
     virtual const std::vector<int> &get_own_q() const                                          = 0;
     virtual void                    solve(dealii::Vector<double> &own_q, FieldVector &x) const = 0;
 
@@ -44,8 +45,8 @@ namespace caudal
     }
 
   private:
-    mutable MultifrontalSolver solver;
-    bool                       pivoted = false;
+    MultifrontalSolver solver;
+    bool               pivoted = false;
   };
 
   /** Factors of all unknowns on rank 0. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "window.h"
 
+#include <algorithm>
+
 using namespace dealii;
 
 namespace caudal
@@ -8,10 +10,10 @@ namespace caudal
   Window::Window(const IndexSet &owned, const std::vector<types::global_dof_index> &indices,
                  const MPI_Comm communicator)
   {
+    std::vector<types::global_dof_index> sorted = indices;
+    std::sort(sorted.begin(), sorted.end()); // else each would move those behind it
     IndexSet all(owned.size());
-    for (const auto i : indices)
-      all.add_index(i);
-    all.compress();
+    all.add_indices(sorted.begin(), sorted.end());
     layout = std::make_shared<Utilities::MPI::Partitioner>(owned, all, communicator);
     for (const auto i : indices)
       places.push_back(layout->global_to_local(i));

@@ -10,7 +10,7 @@ namespace caudal
     // Any body has a few anchors, see get_group_begins().
     constexpr unsigned int fewest_anchors = 4;
 
-    /** The values that ranks have of a vector, on all of them. */
+    /** All ranks' values of a vector, on each rank. */
     Vector<double> collect(const FieldVector &source)
     {
       Vector<double> values(source.size());

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace caudal
@@ -13,6 +14,24 @@ namespace caudal
    * with the system's reason: disk full, no right to write.
    */
   void write_whole_file(const std::filesystem::path &path, const std::string &text);
+
+  /** A file that is written part by part. Throws likewise. */
+  class SafeFile
+  {
+  public:
+    /** Empties the file if it is there. */
+    explicit SafeFile(const std::filesystem::path &path);
+    ~SafeFile();
+
+    void write(const char *begin, std::size_t n);
+
+    /** Waits until the disk has all. */
+    void finish();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
 
   /** Replaces the whole file or, if that fails, leaves the old one. Throws likewise. */
   void replace_file(const std::filesystem::path &path, const std::string &text);

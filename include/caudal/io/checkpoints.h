@@ -67,9 +67,9 @@ namespace caudal
    * They are in the folder `restart` of its results: one slot for each, `step-00000120`, with the
    * state, a part of it that each rank writes, `part-00000`, the run's parameters.prm, and a
    * manifest that holds sizes and CRC-32 sums of all and of the tables as they were then. A slot is
-   * written under another name, synchronised with the disk,
-   * as is all that the run had written before, and then renamed, so that it is whole or not there;
-   * older ones are removed only after that.
+   * written under another name, synchronised with the disk, as is all that the run had written
+   * before, and then renamed, so that it is whole or not there; older ones are removed only after
+   * that.
    */
   class CheckpointWriter
   {

@@ -2,7 +2,7 @@
 #ifndef caudal_linear_cholesky_h
 #define caudal_linear_cholesky_h
 
-#include <caudal/linear/multifrontal.h>
+#include <caudal/linear/triplets.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>

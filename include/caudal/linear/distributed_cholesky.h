@@ -31,8 +31,8 @@ namespace caudal
     /**
      * Factorises the sum of all ranks' @p entries, of which those on and below the diagonal are
      * taken. Each rank owns the unknowns that it does of vectors of the layout @p owned, which
-     * should be close to each other. Of two that meet across ranks and one of which @p reaches_far,
-     * meeting more others, S has that one. Returns whether the matrix is positive definite; if not,
+     * should be close to each other. Of two unknowns of different ranks that an entry couples, S
+     * takes the one that @p reaches_far. Returns whether the matrix is positive definite; if not,
      * there are no factors.
      */
     bool factorize(const dealii::IndexSet &owned, const Triplets &entries,
@@ -44,7 +44,8 @@ namespace caudal
     /** Number of entries of this rank's factors. */
     double get_n_own_entries() const
     {
-      return interior_factor.get_n_entries() + interface_factor.get_n_entries();
+      return (interior.empty() ? 0 : interior_factor.get_n_entries()) +
+             (n_interface == 0 ? 0 : interface_factor.get_n_entries());
     }
 
   private:

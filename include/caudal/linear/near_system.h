@@ -35,8 +35,8 @@ namespace caudal
 
     double s = 1;
     /**
-     * S and -C, whose rows are those of f, behind those of q, numbered by the bodies; H, too; on
-     * and below the diagonal, the sum of all ranks' entries.
+     * The entries on and below the diagonal of [S, -C^T; -C, H], first those of q, then those of x,
+     * of which only forces have some; their sum over all ranks.
      */
     Triplets J{};
     /** The rows and columns of x; all ranks have all. */

@@ -2,6 +2,8 @@
 #ifndef caudal_linear_triplets_h
 #define caudal_linear_triplets_h
 
+#include <boost/serialization/vector.hpp>
+
 #include <mpi.h>
 
 #include <vector>
