@@ -174,7 +174,7 @@ ASSUMPTIONS = """
 None of the figures in this section was measured. A step is the sum of
 
 - **work**: processor time outside of MPI of the rank that has most to do. With one size it is a part that is the same on all
-  numbers of ranks (bodies, which all ranks or rank 0 alone work on) and one that is shared; with water in proportion it is
+  numbers of ranks (bodies, which all ranks have, and what is between their slices) and one that is shared; with water in proportion it is
   constant; with bodies in proportion it may grow with them. Fitted to the measured ranks from 2 on; a growth within the scatter
   is taken for none.
 - **dense matrix** (2D): 2/3 n^3 operations of each rank for the n unknowns between strips, at the {rate:.0f} Gflop/s that a dense

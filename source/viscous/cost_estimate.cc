@@ -4,6 +4,7 @@
 #include <caudal/io/progress.h>
 #include <caudal/viscous/cost_estimate.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace caudal
@@ -12,8 +13,8 @@ namespace caudal
   {
     constexpr double mebibyte     = 1024. * 1024.;
     constexpr double base_of_rank = 150 * mebibyte, bytes_of_cell = 6e4, bytes_near = 3e4;
-    // Of a cell all ranks share the work, what is near the bodies is rank 0's.
     constexpr double seconds_of_cell = 7e-4, seconds_near = 1e-4;
+    constexpr double least_near = 1500; // unknowns for which it takes a rank more
 
     constexpr double longest_sensible_run = 14 * 86400.; // [s]
 
@@ -39,8 +40,9 @@ namespace caudal
     const double n_ranks = Utilities::MPI::n_mpi_processes(operators.communicator);
     const double n_cells = operators.triangulation.n_global_active_cells();
     const double n_near  = count_near_unknowns(operators);
+    const double n_slices = std::clamp(n_near / least_near, 1., n_ranks);
     StepCost     cost;
-    cost.seconds = seconds_of_cell * n_cells / n_ranks + seconds_near * n_near;
+    cost.seconds = seconds_of_cell * n_cells / n_ranks + seconds_near * n_near / n_slices;
     cost.memory =
         (base_of_rank * n_ranks + bytes_of_cell * n_cells + bytes_near * n_near) / mebibyte;
     return cost;
