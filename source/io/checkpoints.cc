@@ -258,12 +258,24 @@ namespace caudal
       output.synchronise();
     }
 
+    /** File systems of several machines may have put a part elsewhere. @p lines: as describe(). */
+    void check_parts(const fs::path &slot, const std::string &lines)
+    {
+      std::istringstream words(lines);
+      std::string        name, checksum;
+      std::uintmax_t     size = 0;
+      while (words >> name >> size >> checksum)
+        if (fs::file_size(slot / name) != size)
+          throw std::runtime_error("<" + (slot / name).string() + "> is not as it was written");
+    }
+
     /** Writes what rank 0 does into it and gives it its name; keeps @p n_slots of them. */
     void finish_slot(const OutputFolder &output, const std::string &data, const std::string &parts,
                      const unsigned int step, const double time, const unsigned int n_slots)
     {
       const fs::path root = get_folder(output.path()), unfinished = get_unfinished(output);
       const fs::path slot = root / (prefix + Utilities::int_to_string(step, 8));
+      check_parts(unfinished, parts);
       write_whole_file(unfinished / state_name, data);
       write_whole_file(unfinished / parameters_name, output.get_parameters());
       write_whole_file(unfinished / manifest_name, make_manifest(data, parts, step, time, output));
