@@ -37,9 +37,9 @@ namespace caudal
   template <int dim>
   StepCost estimate_iterative_step(const Operators<dim> &operators)
   {
-    const double n_ranks = Utilities::MPI::n_mpi_processes(operators.communicator);
-    const double n_cells = operators.triangulation.n_global_active_cells();
-    const double n_near  = count_near_unknowns(operators);
+    const double n_ranks  = Utilities::MPI::n_mpi_processes(operators.communicator);
+    const double n_cells  = operators.triangulation.n_global_active_cells();
+    const double n_near   = count_near_unknowns(operators);
     const double n_slices = std::clamp(n_near / least_near, 1., n_ranks);
     StepCost     cost;
     cost.seconds = seconds_of_cell * n_cells / n_ranks + seconds_near * n_near / n_slices;
