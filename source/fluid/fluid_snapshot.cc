@@ -12,18 +12,12 @@ namespace caudal
   {
     using Key = CellId::binary_type;
 
-    constexpr unsigned int key_size = std::tuple_size<Key>::value;
-
     /** The places of the snapshot's cells in it. */
     std::map<Key, std::size_t> make_index(const FluidSnapshot &snapshot)
     {
       std::map<Key, std::size_t> index;
-      for (std::size_t cell = 0; cell < snapshot.cells.size() / key_size; ++cell)
-      {
-        Key key;
-        std::copy_n(snapshot.cells.begin() + cell * key_size, key_size, key.begin());
-        index[key] = cell;
-      }
+      for (const Key &cell : get_cells(snapshot))
+        index.emplace(cell, index.size());
       return index;
     }
 
@@ -48,6 +42,15 @@ namespace caudal
       typename DoFHandler<dim>::active_cell_iterator(cell, &dofs)->set_dof_values(values, field);
     }
   } // namespace
+
+  std::vector<CellId::binary_type> get_cells(const FluidSnapshot &snapshot)
+  {
+    constexpr unsigned int           key_size = std::tuple_size<CellId::binary_type>::value;
+    std::vector<CellId::binary_type> cells(snapshot.cells.size() / key_size);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      std::copy_n(snapshot.cells.begin() + k * key_size, key_size, cells[k].begin());
+    return cells;
+  }
 
   void check_fit(const bool fits)
   {

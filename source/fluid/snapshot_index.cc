@@ -17,16 +17,6 @@ namespace caudal
   {
     using Key = CellId::binary_type;
 
-    constexpr unsigned int key_size = std::tuple_size<Key>::value;
-
-    std::vector<Key> get_keys(const FluidSnapshot &snapshot)
-    {
-      std::vector<Key> keys(snapshot.cells.size() / key_size);
-      for (std::size_t k = 0; k < keys.size(); ++k)
-        std::copy_n(snapshot.cells.begin() + k * key_size, key_size, keys[k].begin());
-      return keys;
-    }
-
     void append(const Key &key, const double *const begin, const std::size_t n_values,
                 FluidSnapshot &snapshot)
     {
@@ -39,7 +29,7 @@ namespace caudal
   SnapshotIndex<dim>::SnapshotIndex(const FluidSnapshot &part, const MPI_Comm communicator)
       : communicator(communicator)
   {
-    const std::vector<Key> keys     = get_keys(part);
+    const std::vector<Key> keys     = get_cells(part);
     const std::size_t      n_values = keys.empty() ? 0 : part.values.size() / keys.size();
     std::map<unsigned int, FluidSnapshot>    cells;
     std::set<Key>                            all_refined;
@@ -58,7 +48,7 @@ namespace caudal
 
     for (const auto &message : Utilities::MPI::some_to_some(communicator, cells))
     {
-      const std::vector<Key> received = get_keys(message.second);
+      const std::vector<Key> received = get_cells(message.second);
       const std::size_t      n        = message.second.values.size() / received.size();
       for (std::size_t k = 0; k < received.size(); ++k)
       {

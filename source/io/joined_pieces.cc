@@ -77,7 +77,7 @@ namespace caudal
       own = split(make_text());
       if (rank == 0)
       {
-        buffer.resize(most_at_once);
+        buffer.resize(n_ranks > 1 ? most_at_once : 0);
         file = std::make_unique<SafeFile>(get_path());
       }
     });

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 using namespace dealii;
@@ -32,23 +31,10 @@ namespace caudal
       , rank(Utilities::MPI::this_mpi_process(communicator))
   {}
 
-  void DistributedCholesky::set_layout(const IndexSet &owned)
-  {
-    const unsigned int size = owned.n_elements();
-    ends                    = Utilities::MPI::all_gather(communicator, size);
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  }
-
-  unsigned int DistributedCholesky::find_rank(const int unknown) const
-  {
-    return std::upper_bound(ends.begin(), ends.end(), static_cast<unsigned int>(unknown)) -
-           ends.begin();
-  }
-
   void DistributedCholesky::find_interface(const Triplets          &lower,
                                            const std::vector<bool> &reaches_far)
   {
-    std::vector<int> is_between(ends.back());
+    std::vector<int> is_between(ownership.size());
     // One of two unknowns that meet across: first those of far reach, as they settle most others.
     for (const bool is_first : {true, false})
     {
@@ -57,14 +43,14 @@ namespace caudal
       {
         const int  row = lower.rows[k], column = lower.columns[k];
         const bool is_settled = is_between[row] + is_between[column] > 0;
-        if (is_settled || find_rank(column) == find_rank(row))
+        if (is_settled || ownership.find_rank(column) == ownership.find_rank(row))
           continue;
         if (!is_first || reaches_far[row] != reaches_far[column])
           found[is_first && reaches_far[column] ? column : row] = 1;
       }
       Utilities::MPI::max(found, communicator, is_between);
     }
-    place.assign(ends.back(), nowhere);
+    place.assign(ownership.size(), nowhere);
     n_interface = 0;
     for (unsigned int i = 0; i < place.size(); ++i)
       if (is_between[i] == 1)
@@ -72,7 +58,7 @@ namespace caudal
 
     interior.clear();
     owned_interface.clear();
-    for (unsigned int i = rank == 0 ? 0 : ends[rank - 1]; i < ends[rank]; ++i)
+    for (unsigned int i = ownership.get_begin(rank); i < ownership.get_end(rank); ++i)
       (place[i] == nowhere ? interior : owned_interface).push_back(i);
   }
 
@@ -90,7 +76,7 @@ namespace caudal
         continue;
       }
       inside.add(row, column, lower.values[k]);
-      owners.push_back(find_rank(place[row] == nowhere ? row : column));
+      owners.push_back(ownership.find_rank(place[row] == nowhere ? row : column));
     }
     parts.inside = exchange(inside, owners, communicator);
     return parts;
@@ -152,7 +138,7 @@ namespace caudal
   bool DistributedCholesky::factorize(const IndexSet &owned, const Triplets &entries,
                                       const std::vector<bool> &reaches_far)
   {
-    set_layout(owned);
+    ownership            = Ownership(owned.n_elements(), communicator);
     const Triplets lower = take_lower(entries);
     find_interface(lower, reaches_far);
     auto [inside, between] = divide(lower);

@@ -4,6 +4,7 @@
 #include "window.h"
 
 #include <caudal/linear/near_system.h>
+#include <caudal/linear/ownership.h>
 #include <caudal/linear/schur_complement.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -37,13 +38,10 @@ namespace caudal
     Triplets send_to_owners(const Triplets &entries, const IndexSet &owned_rows,
                             const MPI_Comm communicator)
     {
-      std::vector<unsigned int> ends = // of the ranks' rows
-          Utilities::MPI::all_gather(communicator,
-                                     static_cast<unsigned int>(owned_rows.n_elements()));
-      std::partial_sum(ends.begin(), ends.end(), ends.begin());
+      const Ownership           ownership(owned_rows.n_elements(), communicator);
       std::vector<unsigned int> owners;
-      for (const unsigned int row : entries.rows)
-        owners.push_back(std::upper_bound(ends.begin(), ends.end(), row) - ends.begin());
+      for (const int row : entries.rows)
+        owners.push_back(ownership.find_rank(row));
       return exchange(entries, owners, communicator);
     }
 

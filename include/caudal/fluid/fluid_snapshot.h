@@ -4,6 +4,8 @@
 
 #include <caudal/fluid/fluid_space.h>
 
+#include <deal.II/grid/cell_id.h>
+
 #include <boost/serialization/vector.hpp>
 
 #include <cstdint>
@@ -33,6 +35,9 @@ namespace caudal
   FluidSnapshot take_snapshot(const FluidSpace<dim>                  &space,
                               const std::vector<const FieldVector *> &velocities,
                               const FieldVector                      &pressure);
+
+  /** The ids of its cells, in their order. */
+  std::vector<dealii::CellId::binary_type> get_cells(const FluidSnapshot &snapshot);
 
   /** Throws the sentence that a snapshot is that of another grid unless it @p fits. */
   void check_fit(bool fits);

@@ -4,8 +4,6 @@
 
 #include <caudal/fluid/fluid_snapshot.h>
 
-#include <deal.II/grid/cell_id.h>
-
 #include <functional>
 #include <map>
 #include <set>

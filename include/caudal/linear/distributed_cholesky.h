@@ -3,6 +3,7 @@
 #define caudal_linear_distributed_cholesky_h
 
 #include <caudal/linear/cholesky.h>
+#include <caudal/linear/ownership.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -55,8 +56,6 @@ namespace caudal
       Triplets inside, between;
     };
 
-    void             set_layout(const dealii::IndexSet &owned);
-    unsigned int     find_rank(int unknown) const;
     void             find_interface(const Triplets &lower, const std::vector<bool> &reaches_far);
     Parts            divide(const Triplets &lower) const;
     void             number_unknowns(Triplets &inside);
@@ -67,12 +66,12 @@ namespace caudal
     const MPI_Comm     communicator;
     const unsigned int rank;
 
-    std::vector<unsigned int> ends;  // of the ranks' unknowns
-    std::vector<int>          place; // of all unknowns in S
-    unsigned int              n_interface = 0;
-    std::vector<int>          interior, owned_interface; // unknowns of this rank
-    std::vector<int>          met_interface;             // places in S of what the interior meets
-    FieldVector               with_interface; // zeros: rank 0's, what others need as ghost entries
+    Ownership        ownership; // of the unknowns
+    std::vector<int> place;     // of all unknowns in S
+    unsigned int     n_interface = 0;
+    std::vector<int> interior, owned_interface; // unknowns of this rank
+    std::vector<int> met_interface;             // places in S of what the interior meets
+    FieldVector      with_interface; // zeros: rank 0's, what others need as ghost entries
 
     Cholesky                         interior_factor, interface_factor;
     dealii::LAPACKFullMatrix<double> corner; // L_kk
